@@ -25,6 +25,7 @@ _DEFINITIONS = {
 _OF_PROGRAMS = {
     "demo_nodes_cpp": "Demonstration nodes, of which the original's are in C++.",
     "foxglove_bridge": "A server of the graph for Foxglove and Lichtblick.",
+    "joint_state_publisher_gui": "The page with a slider for each joint of a robot.",
     "rmw_zenoh_cpp": "The router of the Zenoh wire.",
     "robot_state_publisher": "The frames of a robot, by its description and the states of its joints.",
     "rviz2": "The page that stands in for RViz.",

@@ -210,7 +210,7 @@ def test_names_of_nodes_and_topics_are_data(domain_id: int, viewer: Viewer, open
         page = open_page(viewer)
 
         def has_node() -> bool:
-            return any(EVIL in name for name, _ in page.ask("graph", op="graph")["published"])
+            return any(EVIL in vertex["name"] for vertex in page.ask("graph", op="graph")["vertices"])
 
         wait_until(has_node, what="the node")
     finally:

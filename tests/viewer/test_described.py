@@ -121,6 +121,7 @@ def test_camera_sees_the_robot_whole_until_its_user_moves_it(bot: Path, open_pag
     with shown(bot) as viewer:
         page = open_page(viewer)
         shown_whole(page)
+        page.send(op="fit_start")
         scene = scene_of(viewer, page)
         scene.tell_camera(position=(3.0, 0.0, 0.0))
         scene.wait_for(lambda: scene.camera.get("position") is not None)
@@ -143,9 +144,10 @@ def test_camera_is_let_go_though_a_display_waits_for_a_topic(bot: Path, open_pag
     with shown(bot) as viewer:
         viewer.view.want("/scan")
         page = open_page(viewer)
+        page.send(op="fit_start")
+        page.wait_for(lambda: page.name in viewer._unfitted)
         scene = scene_of(viewer, page)
         scene.tell_camera(position=(3.0, 0.0, 0.0))
-        page.wait_for(lambda: page.name in viewer._unfitted)
         page.wait_for(lambda: not viewer._unfitted)
         scene.abort()
 

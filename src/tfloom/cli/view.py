@@ -8,9 +8,9 @@ import signal
 import sys
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import full_topic_name
@@ -20,8 +20,12 @@ from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_description, is_installed
 
 if TYPE_CHECKING:
+    from tfloom.viewer.described import RobotFile
+    from tfloom.viewer.joints import Joints
     from tfloom.viewer.layout.layout import Layout
     from tfloom.viewer.program import Viewer
+
+__all__ = ["Publishing", "add_arguments", "main", "read_config", "serve", "start_pages"]
 
 PORT = 8765
 HISTORY_S = 60.0
@@ -45,6 +49,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         nargs="?",
         help="a recording, as --bag PATH; or a robot's description: a file that ends in .urdf or .xacro, also as "
         "package://PACKAGE/PATH",
+    )
+    parser.add_argument(
+        "--publish",
+        action="store_true",
+        help="publish the robot's frames, its description and the positions of its joints, for other nodes",
     )
     parser.add_argument(
         "-c",
@@ -85,6 +94,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-s", "--use-sim-time", action="store_true", help="take the time from /clock")
 
 
+class Publishing(NamedTuple):
+    """What publishes the positions of joints that pages move."""
+
+    urdf_file: str | None
+    """Path of the description; None: joint_state_publisher finds it."""
+    ros_arguments: list[str]
+    """A command line, of which the ROS arguments count."""
+
+
 def _port(text: str) -> int:
     port = int(text) if text.isascii() and text.isdigit() else -1
     if not 0 <= port <= 65535:
@@ -120,6 +138,10 @@ def _robot_name(args: argparse.Namespace) -> str | None:
         CommandError: there is also a recording, or an option that a description has no use for.
     """
     if args.path is None or not is_description(args.path):
+        if args.publish:
+            raise CommandError(
+                "--publish is for a robot's description: name a file that ends in .urdf or .xacro"
+            )
         return None
     if args.bag is not None:
         raise CommandError(f"a recording, {args.bag}, and a robot, {args.path}: the page shows one")
@@ -128,12 +150,13 @@ def _robot_name(args: argparse.Namespace) -> str | None:
     return str(args.path)
 
 
-def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
+def serve(args: argparse.Namespace, *, needs_terminal: bool, publishing: Publishing | None = None) -> int:
     """Serve pages until Ctrl-C.
 
     Args:
         args: The arguments of `view`.
         needs_terminal: Whether the page is opened in a browser only from a terminal.
+        publishing: What publishes joints that pages move, of the graph's robot; None: nothing.
 
     Raises:
         CommandError: it can't be served.
@@ -145,8 +168,7 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool) -> int:
     if not is_installed():
         raise CommandError(MISSING.format(name="`tfloom view`"))
     layout = None if args.config is None else read_config(args.config)
-    opened = _open_viewer(args) if robot is None else _open_robot(robot, args)
-    with _set_by_signals() as over, opened as viewer:
+    with _set_by_signals() as over, _opened(args, robot, publishing, over) as viewer:
         _interrupt_by_alarm(viewer)
         viewer.layout_path = args.save_config
         if layout is not None:
@@ -217,49 +239,118 @@ def read_config(path: Path) -> Layout:
     return layout
 
 
-@contextmanager
-def _open_viewer(args: argparse.Namespace) -> Iterator[Viewer]:
-    topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
-    if args.bag is None:
-        from tfloom.cli.shared.graph import joined_participant, wait_until_quiet
-        from tfloom.viewer.live import live_viewer
+def _opened(
+    args: argparse.Namespace, robot: str | None, publishing: Publishing | None, over: threading.Event
+) -> AbstractContextManager[Viewer]:
+    if publishing is not None:
+        return _open_published(args, publishing, None, over)
+    if robot is not None:
+        return _open_robot(robot, args, over)
+    return _open_live(args) if args.bag is None else _open_recording(args)
 
-        with (
-            joined_participant() as participant,
-            live_viewer(
-                participant,
-                topics=topics,
-                history_s=args.history,
-                fixed_frame=args.fixed_frame,
-                simulated=args.use_sim_time,
-            ) as viewer,
-        ):
-            wait_until_quiet(participant.graph, 1.0, goes_on=True)
-            yield viewer
-        return
+
+def _topics(args: argparse.Namespace) -> tuple[str, str]:
+    return full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
+
+
+@contextmanager
+def _open_live(
+    args: argparse.Namespace, joints: Joints | None = None, robot: RobotFile | None = None
+) -> Iterator[Viewer]:
+    from tfloom.cli.shared.graph import joined_participant, wait_until_quiet
+    from tfloom.viewer.live import live_viewer
+
+    fixed_frame = args.fixed_frame or ("" if robot is None else robot.model.description.root)
+    with (
+        joined_participant() as participant,
+        live_viewer(
+            participant,
+            topics=_topics(args),
+            history_s=args.history,
+            fixed_frame=fixed_frame,
+            simulated=args.use_sim_time,
+            joints=joints,
+        ) as viewer,
+    ):
+        wait_until_quiet(participant.graph, 1.0, goes_on=True)
+        yield viewer
+
+
+@contextmanager
+def _open_recording(args: argparse.Namespace) -> Iterator[Viewer]:
     from tfloom.bag.errors import BagError
     from tfloom.viewer.recorded import recorded_viewer
 
     try:
-        with recorded_viewer(args.bag, topics=topics, fixed_frame=args.fixed_frame) as viewer:
+        with recorded_viewer(args.bag, topics=_topics(args), fixed_frame=args.fixed_frame) as viewer:
             yield viewer
     except BagError as error:
         raise CommandError(str(error)) from None
 
 
 @contextmanager
-def _open_robot(name: str, args: argparse.Namespace) -> Iterator[Viewer]:
-    from tfloom.viewer.described import DESCRIPTION_TOPIC, DescriptionError, described_viewer, read_robot
+def _open_robot(name: str, args: argparse.Namespace, over: threading.Event) -> Iterator[Viewer]:
+    from tfloom.viewer.described import (
+        DESCRIPTION_TOPIC,
+        DescriptionError,
+        described_viewer,
+        read_robot,
+        robot_layout,
+    )
 
     try:
         robot = read_robot(name)
     except DescriptionError as error:
         raise CommandError(str(error)) from None
+    if args.publish:
+        with _open_published(args, Publishing(None, []), robot, over) as viewer:
+            viewer.view.near = robot.folder
+            viewer.apply(robot_layout(robot, viewer.view.fixed_frame))
+            viewer.view.want(DESCRIPTION_TOPIC)
+            yield viewer
+        return
     for remark in robot.model.description.remarks[:MAX_UNKNOWN]:
         report(f"{name}, {remark}")
     with described_viewer(robot, fixed_frame=args.fixed_frame) as viewer:
         viewer.view.want(DESCRIPTION_TOPIC)
         yield viewer
+
+
+@contextmanager
+def _open_published(
+    args: argparse.Namespace, publishing: Publishing, robot: RobotFile | None, over: threading.Event
+) -> Iterator[Viewer]:
+    """Open a viewer of the graph, with the joints that this process publishes.
+
+    Raises:
+        CommandError: they can't be published.
+    """
+    from tfloom.robot.urdf_faults import UrdfError
+    from tfloom.viewer.published_joints import published_joints
+
+    reasons: list[str] = []
+
+    def end(reason: str) -> None:
+        reasons.append(reason)
+        over.set()
+
+    with ExitStack() as stack:
+        try:
+            joints = stack.enter_context(
+                published_joints(
+                    None if robot is None else robot.text,
+                    end,
+                    args=publishing.ros_arguments,
+                    urdf_file=publishing.urdf_file,
+                )
+            )
+        except OSError as error:
+            raise CommandError(f"can't read {publishing.urdf_file}: {error.strerror or error}") from None
+        except UrdfError as error:
+            raise CommandError(f"{publishing.urdf_file or 'robot_description'}: {error}") from None
+        yield stack.enter_context(_open_live(args, joints, robot))
+    if reasons:
+        raise CommandError(reasons[0])
 
 
 def start_pages(viewer: Viewer, host: str, port: int | None) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
@@ -24,6 +24,10 @@ from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.robot.description import Description, range_of
 from tfloom.robot.mimicry import Dependence, LoopError, dependence_of, resolve
 from tfloom.robot.urdf import UrdfError, parse_urdf
+
+if TYPE_CHECKING:
+    from tfloom.node.context.context import Context
+    from tfloom.node.parameters.parameter import Parameter
 
 __all__ = ["JointStatePublisher", "main"]
 
@@ -48,6 +52,8 @@ class JointStatePublisher(Node):
 
     Args:
         urdf_file: Path of the description; None: the parameter `robot_description`, else the topic of that name.
+        context: The node's context; None: the default one.
+        parameter_overrides: Values of parameters, before those of the command line.
 
     Raises:
         OSError, UrdfError: the file can't be read, or is not a valid description.
@@ -58,13 +64,27 @@ class JointStatePublisher(Node):
         free_joints: By name `min`, `max`, `zero`, and what is published of `position`, `velocity` and `effort`.
         dependent_joints: By name `parent`, `factor` and `offset`.
         delta: How far each joint moves for each message, back and forth between its limits; 0: not.
+        robot: The description; None while there is none.
+        zeros: Where joints begin, by name, which the parameters `zeros.<joint>` say [rad] or [m].
     """
 
-    def __init__(self, urdf_file: str | None = None) -> None:
-        super().__init__("joint_state_publisher", automatically_declare_parameters_from_overrides=True)
+    def __init__(
+        self,
+        urdf_file: str | None = None,
+        *,
+        context: Context | None = None,
+        parameter_overrides: Sequence[Parameter] = (),
+    ) -> None:
+        super().__init__(
+            "joint_state_publisher",
+            context=context,
+            parameter_overrides=list(parameter_overrides),
+            automatically_declare_parameters_from_overrides=True,
+        )
         for name, (default, kind) in PARAMETERS.items():
             if not self.has_parameter(name):
                 self.declare_parameter(name, default, ParameterDescriptor(type=kind.value))
+        self.robot: Description | None = None
         self.free_joints: dict[str, dict[str, Any]] = {}
         self.joint_list: list[str] = []
         self._given = self._given_dependences()
@@ -134,7 +154,7 @@ class JointStatePublisher(Node):
         for kind in KINDS:
             is_known = any(kind in joint for joint in self.free_joints.values())
             if is_known or (kind == "position" and self.dependent_joints):
-                setattr(message, kind, [self._value(name, kind) for name in self.joint_list])
+                setattr(message, kind, [self.value(name, kind) for name in self.joint_list])
         self.pub.publish(message)
 
     def update(self, delta: float) -> None:
@@ -151,7 +171,8 @@ class JointStatePublisher(Node):
                 joint["forward"] = not forward
             joint["position"] = position
 
-    def _value(self, name: str, kind: str) -> float:
+    def value(self, name: str, kind: str = "position") -> float:
+        """Return what is published of a joint: its `position` [rad] or [m], `velocity` or `effort`."""
         source, factor, offset = self._resolved.get(name, Dependence(name))
         value = self.free_joints.get(source, {}).get(kind)
         if value is None:
@@ -221,6 +242,7 @@ class JointStatePublisher(Node):
                 if joint.type == "continuous":
                     free[joint.name]["continuous"] = True
         self._resolve(names, free, dependences)
+        self.robot = robot
         if self.robot_description_update_cb is not None:
             self.robot_description_update_cb()
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import sys
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.interfaces.sensor_msgs.msg import JointState
@@ -36,6 +37,9 @@ from tfloom.robot.urdf import UrdfError, parse_urdf
 from tfloom.robot.urdf_faults import Remarks
 from tfloom.rosidl import cdr
 
+if TYPE_CHECKING:
+    from tfloom.node.context.context import Context
+
 __all__ = ["RobotStatePublisher", "StartError", "main"]
 
 DESCRIPTION = "Publish the frames of the robot that the parameter robot_description describes, in URDF."
@@ -61,6 +65,8 @@ class RobotStatePublisher(Node):
 
     Args:
         files: Paths on the command line; the first is read if the parameter `robot_description` is empty.
+        context: The node's context; None: the default one.
+        parameter_overrides: Values of parameters, before those of the command line.
 
     Raises:
         StartError: there is no valid description, or a parameter is out of range.
@@ -68,8 +74,16 @@ class RobotStatePublisher(Node):
 
     _parameter_event_overriding = EVENT_OVERRIDING
 
-    def __init__(self, files: list[str] | None = None) -> None:
-        super().__init__("robot_state_publisher")
+    def __init__(
+        self,
+        files: list[str] | None = None,
+        *,
+        context: Context | None = None,
+        parameter_overrides: Sequence[Parameter] = (),
+    ) -> None:
+        super().__init__(
+            "robot_state_publisher", context=context, parameter_overrides=list(parameter_overrides)
+        )
         listen_to_parameter_events(self)
         text = str(self.declare_parameter("robot_description", "").value) or self._from_file(files or [])
         frequency = float(self.declare_parameter("publish_frequency", 20.0).value)

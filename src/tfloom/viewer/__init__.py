@@ -8,7 +8,8 @@
 - shared_state: what all pages share, and what follows of it
 - drawing, scene, scene_server, viser_private: viser's scene and server
 - mesh_files, mesh_places, extents: files of meshes and where they are; how far shapes reach, for cameras
-- joints, described: joints that pages move; a robot of a file, without a graph
+- joints, published_joints: joints that pages move, those of a file or those that this process publishes
+- described: a robot of a file, without a graph
 - page_server, page_command: the server of our page, and what it is asked for
 - forms/: what pages publish, call and send as goals, by forms made from any type
 - driving/: velocities, by a separate process, which stops robots whose page or viewer is gone

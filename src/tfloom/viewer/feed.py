@@ -179,6 +179,11 @@ class Feed:
             return []
         return [placed.frame_id for placed in self._poses_of[1]]
 
+    @property
+    def frame_id(self) -> str:
+        """The frame of the first shape that is shown; empty where there is none."""
+        return next((placed.frame_id.removeprefix("/") for placed in self._poses_of[1]), "")
+
     def _newest(self, buffer: Buffer, fixed_frame: str, held_ns: int | None) -> Entry | None:
         """Return the message to show: the last one that the transforms have reached.
 

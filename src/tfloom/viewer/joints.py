@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol
 
 import numpy as np
@@ -57,13 +58,28 @@ class RobotJoints:
 
     Args:
         description: The robot.
+        follows: The joint that each dependent one follows, by name; None: as the description says.
+        zeros: Where joints begin, by name; see `range_of`.
+        use_soft_limits: Whether the safety controller's limits apply where they are tighter.
     """
 
-    def __init__(self, description: Description) -> None:
+    def __init__(
+        self,
+        description: Description,
+        follows: Mapping[str, str] | None = None,
+        zeros: Mapping[str, float] = MappingProxyType({}),
+        *,
+        use_soft_limits: bool = True,
+    ) -> None:
         self._joints = description.joints
         self._by_child = {joint.child: joint for joint in description.joints.values()}
-        self.follows = {name: dependence.parent for name, dependence in followers(self._joints).items()}
-        ranges = {name: range_of(joint, {}, use_soft_limits=True) for name, joint in self._joints.items()}
+        if follows is None:
+            follows = {name: dependence.parent for name, dependence in followers(self._joints).items()}
+        self.follows = follows
+        ranges = {
+            name: range_of(joint, zeros, use_soft_limits=use_soft_limits)
+            for name, joint in self._joints.items()
+        }
         self.ranges = {name: _bounded(found) for name, found in ranges.items() if found is not None}
 
     def row(self, name: str, position: float) -> JointRow:

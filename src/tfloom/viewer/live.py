@@ -21,6 +21,7 @@ from tfloom.viewer.topics import LiveTopics
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
+    from tfloom.viewer.joints import Joints
 
 __all__ = ["live_viewer"]
 
@@ -33,6 +34,7 @@ def live_viewer(
     history_s: float,
     fixed_frame: str = "",
     simulated: bool = False,
+    joints: Joints | None = None,
 ) -> Iterator[Viewer]:
     """Open a viewer of a graph for the block.
 
@@ -42,6 +44,7 @@ def live_viewer(
         history_s: How far the time can be turned back [s].
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
         simulated: Whether times are those of /clock.
+        joints: The joints that pages move; None: none.
     """
     history_ns = int(history_s * 1e9)
     buffer = Buffer(history_ns)
@@ -67,12 +70,13 @@ def live_viewer(
             closing(Sending(participant, node, watch.now_ns)) as forms,
         ):
             live_topics = LiveTopics(participant, node, history_ns, watch.now_ns)
-            live_only = LiveOnly(participant, tools, driving, log, parameters, forms)
+            live_only = LiveOnly(participant, topics, tools, driving, log, parameters, forms)
             try:
                 with Viewer(
                     watch,
                     live_topics,
                     live_only,
+                    joints=joints,
                     is_simulated=simulated,
                     history_ns=history_ns,
                     fixed_frame=fixed_frame,

@@ -7,7 +7,7 @@ import queue
 import threading
 import time
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.common.files import write_file
 from tfloom.viewer.camera import floor_point
@@ -17,6 +17,7 @@ from tfloom.viewer.forms.sending import FORM_COMMANDS
 from tfloom.viewer.joints import joint_command, joint_rows
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
+from tfloom.viewer.live_only import empty_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
 from tfloom.viewer.page_command import PageError, fault_text, number, text
@@ -54,6 +55,8 @@ WARN = 30
 """The level of such a line."""
 MOVED_CAMERA = 0.01
 """A camera that has moved by this part of its distance was moved by its user."""
+FIT_S = 3.0
+"""How long a new page is fitted to what comes [s], since there was something: frames and displays come one by one."""
 TICK_S = 0.5
 """Longest wait for a command while no page is open [s]: so long takes an end."""
 
@@ -67,6 +70,22 @@ def _are_near(first: ViewPoint, second: ViewPoint) -> bool:
     """Return whether two view points are the same, but for what is lost on the way to a page."""
     apart_m = max(math.dist(first.position, second.position), math.dist(first.look_at, second.look_at))
     return apart_m < MOVED_CAMERA * math.dist(first.position, first.look_at)
+
+
+def _graph_of(live: LiveOnly, command: Mapping[str, Any]) -> dict[str, Any]:
+    graph = live.participant.graph
+    with_services, with_actions = (command.get(name) is True for name in ("services", "actions"))
+    service_ends = graph.service_ends() if with_services or with_actions else ()
+    return node_graph(graph.endpoints(), service_ends, with_services=with_services, with_actions=with_actions)
+
+
+class _Fitting(NamedTuple):
+    """How a new page is fitted to what comes."""
+
+    view_point: ViewPoint | None = None
+    """From where it was told to look; None: not yet."""
+    end_s: float = math.inf
+    """Until when that is done, on the monotonic clock [s]."""
 
 
 class _InterruptedError(BaseException):
@@ -99,6 +118,7 @@ class Viewer:
     ) -> None:
         self._live = live
         self._joints = joints
+        self._is_of_file = live is None and joints is not None
         self._topics = topics
         self._noted: set[str] = set()
         """What pages were told since one was opened, so that it isn't told with each picture."""
@@ -137,8 +157,8 @@ class Viewer:
         """What is shown from the start."""
         self._unplaced: set[str] = set()
         """Pages whose camera is to stand at a frame that is not known yet."""
-        self._unfitted: dict[str, ViewPoint | None] = {}
-        """Pages whose camera is to see a robot whole, once all of it is read; and from where they look until then."""
+        self._unfitted: dict[str, _Fitting] = {}
+        """New pages whose camera is to see all there is."""
         self.pages.view_point = self._view_point
         if live is not None:
             live.driving.on_refusal = self._note_refusal
@@ -255,12 +275,21 @@ class Viewer:
 
     def _publish(self) -> None:
         state = self.view.snapshot()
-        state["is_recording"] = self._live is None and self._joints is None
+        state["is_recording"] = self._live is None and not self._is_of_file
         state["joints"] = None if self._joints is None else joint_rows(self._joints)
+        state["empty"] = self._empty_text()
         if self._live is not None:
             state["drive_topics"] = [shown_text(topic) for topic in self._live.driving.topics()]
             self.pages.add_lines(self._live.log.take(), MAX_LINES)
         self.pages.publish(state)
+
+    def _empty_text(self) -> str:
+        """Return what the scene says as long as there is nothing in it; else an empty text."""
+        if not self.view.is_empty:
+            return ""
+        if self._live is not None:
+            return empty_text(self._live)
+        return "There are no frames at this time." if self.view.buffer.parents() else "There are no frames."
 
     def _take_commands(self, wait_s: float) -> bool:
         """Do what pages ask for, and wait for the first command; return whether there was one."""
@@ -284,7 +313,7 @@ class Viewer:
 
     def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
         operation = text(command, "op")
-        if operation in {"opened", "place", "fit_robot", "closed"}:
+        if operation in {"opened", "place", "fit_start", "closed"}:
             self._follow_page(page, operation)
         elif operation == "layout":
             self._save_layout(page)
@@ -297,7 +326,7 @@ class Viewer:
         elif operation not in LIVE_COMMANDS:
             self.view.command(command)
         elif self._live is None:
-            what = "recording" if self._joints is None else "file"
+            what = "file" if self._is_of_file else "recording"
             raise PageError(f"this is a {what}: there is nobody to ask")
         else:
             self._run_live_command(self._live, page, operation, command)
@@ -306,8 +335,8 @@ class Viewer:
         """Note what a page is to be given as soon as it is known, or that the page was closed."""
         if operation == "place":
             self._unplaced.add(page)
-        elif operation == "fit_robot":
-            self._unfitted.setdefault(page, None)
+        elif operation == "fit_start":
+            self._unfitted.setdefault(page, _Fitting())
         elif operation == "closed":
             self._asked_fields.pop(page, None)
             self._unplaced.discard(page)
@@ -348,8 +377,6 @@ class Viewer:
         placed = self.view.placed(self._layout)
         if placed is None and self._layout.camera is not None:
             self._queue_command(page, {"op": "place"})
-        if self._joints is not None and self._layout.camera is None:
-            self._queue_command(page, {"op": "fit_robot"})
         return placed or self._layout.camera
 
     def _place_cameras(self) -> None:
@@ -358,14 +385,19 @@ class Viewer:
             self._unplaced -= {page for page in self._unplaced if self._server.look(page, placed)}
 
     def _fit_new_pages(self) -> None:
-        """Let new pages of a robot see it whole, until all of it is read, or their user has moved the camera."""
-        for page, before in list(self._unfitted.items()):
+        """Let new pages see all that comes at their start, until their user has moved the camera."""
+        now_s = time.monotonic()
+        for page, (before, end_s) in list(self._unfitted.items()):
             now = self._server.view_point(page)
             if before is not None and now is not None and not _are_near(before, now):
                 del self._unfitted[page]
-            elif (fitted := self._fitted(page)) is not None and self._server.look(page, fitted):
-                self._unfitted[page] = fitted
-                if self.view.is_whole:
+            elif (fitted := self._fitted(page)) is not None:
+                if before is None or not _are_near(before, fitted):
+                    if not self._server.look(page, fitted):
+                        continue
+                    self._unfitted[page] = _Fitting(fitted, end_s if before is not None else now_s + FIT_S)
+                # A file is there as a whole as soon as it is read.
+                if self.view.is_whole and (now_s >= end_s or self._is_of_file):
                     del self._unfitted[page]
 
     def _fit(self, page: str) -> None:
@@ -406,7 +438,7 @@ class Viewer:
         elif operation == "drive":
             self._drive(live, page, command)
         elif operation == "graph":
-            self.pages.answer(page, {"graph": node_graph(live.participant.graph.endpoints())})
+            self.pages.answer(page, {"graph": _graph_of(live, command)})
         elif operation in FORM_COMMANDS:
             live.forms.ask(page, command, lambda answer: self.pages.answer(page, answer))
         else:

@@ -395,8 +395,9 @@ class SharedView:
 
     @property
     def fixed_frame(self) -> str:
-        """The fixed frame; empty while there are no frames."""
-        return self._chosen_frame or default_fixed_frame(self.buffer.parents())
+        """The fixed frame: without transforms that of what is shown; empty while there is nothing."""
+        found = self._chosen_frame or default_fixed_frame(self.buffer.parents())
+        return found or next(filter(None, (feed.frame_id for feed in list(self._feeds.values()))), "")
 
     def shown_ns(self, span: Span | None) -> int | None:
         """Return the time that is shown [ns since epoch]; None: the newest."""
@@ -437,7 +438,17 @@ class SharedView:
     def extent(self) -> Extent | None:
         """Return the box around all that is shown, in the fixed frame; None where nothing is."""
         drawn = itertools.chain.from_iterable(self._drawn.values())
-        return extent_of(self._poses.positions, drawn)
+        frames = self._poses.positions
+        return extent_of(np.concatenate([frames - self._axes_m, frames + self._axes_m]), drawn)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing is shown: no frame, no display."""
+        return (
+            not self._poses.names
+            and not any(self._drawn.values())
+            and not any(feed.display is None for feed in self._feeds.values())
+        )
 
     @property
     def is_whole(self) -> bool:

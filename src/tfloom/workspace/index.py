@@ -48,6 +48,9 @@ PROGRAMS: dict[str, dict[str, str]] = {
     "joint_state_publisher": {
         "joint_state_publisher": "tfloom.robot.joint_state_publisher:main",
     },
+    "joint_state_publisher_gui": {
+        "joint_state_publisher_gui": "tfloom.cli.joint_state_publisher_gui:run",
+    },
     "rmw_zenoh_cpp": {
         "rmw_zenohd": "tfloom.cli.zenoh.router:run_daemon",
     },

@@ -1,4 +1,4 @@
-// The joints of a robot: a slider for each, with its limits. Also the key that shows all there is.
+// The joints of a robot: a slider for each, with its limits.
 "use strict";
 
 const jointRows = new Map();
@@ -59,14 +59,3 @@ function showJoints() {
 showers.push(showJoints);
 $("pose-rest").addEventListener("click", () => send({ op: "pose", to: "rest" }));
 $("pose-random").addEventListener("click", () => send({ op: "pose", to: "random" }));
-$("fit").addEventListener("click", () => send({ op: "fit" }));
-
-function fitByKey(event) {
-  if (event.code !== "KeyF" || event.repeat || event.ctrlKey || event.altKey || event.metaKey) return;
-  if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName) && event.target.type !== "range") return;
-  send({ op: "fit" });
-}
-addEventListener("keydown", fitByKey);
-$("scene").addEventListener("load", () => {
-  try { $("scene").contentWindow.addEventListener("keydown", fitByKey); } catch { /* the scene is not loaded */ }
-});

@@ -55,7 +55,6 @@ function take(message) {
   if (message.log !== undefined) addLines(message.log);
   if (message.error !== undefined) say(message.error);
   if (message.done !== undefined) say(message.done);
-  if (message.graph !== undefined) showGraph(message.graph);
   if (message.parameters !== undefined) showParameters(message.parameters);
   for (const [key, taker] of Object.entries(takers)) if (message[key] !== undefined) taker(message[key]);
 }
@@ -78,6 +77,7 @@ function openScene(id, saved) {
     `&initialCameraLookAt=${encodeURIComponent(lookAt)}` +
     (query.get("dpr") ? `&fixedDpr=${encodeURIComponent(query.get("dpr"))}` : "") +
     `&websocket=${encodeURIComponent(server)}`;
+  if (!saved && !query.get("camera")) send({ op: "fit_start" });
 }
 
 // What the server says of the view.
@@ -119,6 +119,7 @@ function showRows() {
   const selected = state.selection ? state.selection.frames : [];
   const shown = [];
   const seen = new Map();
+  const publishers = new Map();   // of each frame so far: parents come before their children
   for (const row of state.rows) {
     const count = seen.get(row.frame) || 0;
     seen.set(row.frame, count + 1);
@@ -131,8 +132,9 @@ function showRows() {
     setText(cells.name, row.prefix + row.name);
     setText(cells.rate, row.rate_hz ? row.rate_hz.toFixed(1) : row.health === "static" ? "static" : "");
     setText(cells.age, row.age_s === null ? "" : `${row.age_s.toFixed(2)} s`);
-    setText(cells.publisher, row.publisher);
-    cells.line.title = [row.publisher, row.note].filter(Boolean).join("\n");
+    setText(cells.publisher, row.publisher === publishers.get(row.parent) ? "" : row.publisher);
+    publishers.set(row.frame, row.publisher);
+    cells.line.title = [row.frame, row.publisher, row.note].filter(Boolean).join("\n");
     cells.line.className = [row.health, selected.includes(row.frame) ? "selected" : "", state.marked.includes(row.frame) ? "marked" : ""].join(" ");
     cells.trail.checked = state.trails.includes(row.frame);
     shown.push([key, cells.line]);
@@ -151,13 +153,14 @@ function setText(node, text) {
 }
 
 function makeRow(frame) {
-  const name = element("td", { className: "name", title: frame, onclick: () => send({ op: "select", frame }) });
+  const name = element("td", { className: "name" });
   const rate = element("td", { className: "number" });
   const age = element("td", { className: "number" });
   const publisher = element("td", { className: "publisher" });
   const trail = element("input", { type: "checkbox", title: "trail",
     onchange: () => send({ op: "trail", frame, on: trail.checked }) });
-  const line = element("tr", {}, name, rate, age, publisher, element("td", {}, trail));
+  const last = element("td", { onclick: (event) => event.stopPropagation() }, trail);
+  const line = element("tr", { onclick: () => send({ op: "select", frame }) }, name, rate, age, publisher, last);
   line.dataset.frame = frame;
   return { line, name, rate, age, publisher, trail };
 }
@@ -326,19 +329,25 @@ const MAX_LINES = 2000;
 let lines = [];
 
 function addLines(added) {
-  const wasAtEnd = isAtEnd($("log-lines"));
+  const wasAtEnd = followsLog;
   lines = [...lines, ...added].slice(-MAX_LINES);
   const box = $("log-lines");
   for (const line of added) if (isWanted(line)) box.append(makeLine(line));
   while (box.children.length > MAX_LINES) box.firstChild.remove();
-  if (wasAtEnd) box.scrollTop = box.scrollHeight;
+  if (wasAtEnd) scrollLog();
 }
+
+let followsLog = true;        // until its user scrolls up, and again from the end
 
 function isAtEnd(box) { return box.scrollHeight - box.scrollTop - box.clientHeight < 30; }
 
+function scrollLog() { $("log-lines").scrollTop = $("log-lines").scrollHeight; }
+
 function isWanted(line) {
   const node = $("log-node").value.trim();
-  return line.level >= Number($("log-level").value) && (!node || line.name.includes(node));
+  const words = $("log-text").value.trim().toLowerCase();
+  return line.level >= Number($("log-level").value) && (!node || line.name.includes(node)) &&
+    (!words || line.text.toLowerCase().includes(words));
 }
 
 function makeLine(line) {
@@ -349,36 +358,8 @@ function makeLine(line) {
 
 function filterLines() {
   $("log-lines").replaceChildren(...lines.filter(isWanted).map(makeLine));
-  $("log-lines").scrollTop = $("log-lines").scrollHeight;
-}
-
-// The graph of nodes: publishers left, topics in the middle, subscriptions right.
-
-function showGraph(graph) {
-  const ns = "http://www.w3.org/2000/svg", step = 22;
-  const make = (tag, attributes, text) => {
-    const made = document.createElementNS(ns, tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    if (text !== undefined) made.textContent = text;
-    return made;
-  };
-  const columns = [graph.publishers, graph.topics, graph.subscribers];
-  const xs = [6, 250, 560];
-  const place = columns.map((names) => new Map(names.map((name, index) => [name, 16 + index * step])));
-  const svg = make("svg", { width: 800, height: 30 + step * Math.max(...columns.map((names) => names.length), 1) });
-  for (const [node, topic] of graph.published) {
-    svg.append(make("line", { x1: 190, y1: place[0].get(node) - 4, x2: xs[1] - 6, y2: place[1].get(topic) - 4, stroke: "#6bdd6b" }));
-  }
-  for (const [topic, node] of graph.subscribed) {
-    svg.append(make("line", { x1: 500, y1: place[1].get(topic) - 4, x2: xs[2] - 6, y2: place[2].get(node) - 4, stroke: "#6ba8ff" }));
-  }
-  columns.forEach((names, column) => names.forEach((name) => {
-    const text = make("text", { x: xs[column], y: place[column].get(name), fill: column === 1 ? "#ffd166" : "#dfe3ea" },
-      name.length > 34 ? name.slice(0, 33) + "…" : name);
-    text.append(make("title", {}, name));
-    svg.append(text);
-  }));
-  $("graph-picture").replaceChildren(svg);
+  followsLog = true;
+  scrollLog();
 }
 
 // Parameters, edited in place.
@@ -524,11 +505,13 @@ function openPanel(name) {
   for (const button of document.querySelectorAll("#tabs [data-panel]")) button.classList.toggle("on", button.dataset.panel === name);
   for (const panel of document.querySelectorAll(".panel")) panel.classList.toggle("on", panel.id === name);
   if (openers[name]) openers[name]();
-  if (name === "graph") send({ op: "graph" });
   if (name === "parameters") send({ op: "parameters", node: $("parameter-node").value });
 }
 
 for (const button of document.querySelectorAll("#tabs [data-panel]")) button.addEventListener("click", () => openPanel(button.dataset.panel));
+// On a narrow screen the panels are a drawer over the scene.
+$("menu").addEventListener("click", () => document.body.classList.toggle("drawer"));
+$("shade").addEventListener("click", () => document.body.classList.remove("drawer"));
 for (const button of document.querySelectorAll("#tools [data-tool]")) button.addEventListener("click", () => chooseTool(button.dataset.tool));
 $("fixed").addEventListener("change", () => { send({ op: "fixed_frame", frame: $("fixed").value }); $("fixed").blur(); });
 $("names").addEventListener("change", () => send({ op: "names", on: $("names").checked }));
@@ -541,7 +524,10 @@ $("slider").addEventListener("input", holdAtSlider);
 $("live").addEventListener("click", () => send(state && !state.is_live ? { op: "play", on: !state.is_playing } : { op: "hold", stamp_ns: null }));
 $("log-level").addEventListener("change", filterLines);
 $("log-node").addEventListener("input", filterLines);
-$("graph-refresh").addEventListener("click", () => send({ op: "graph" }));
+$("log-text").addEventListener("input", filterLines);
+// A panel that is not shown has no height, and its end is not where it was.
+$("log-lines").addEventListener("scroll", () => { if ($("log-lines").clientHeight) followsLog = isAtEnd($("log-lines")); });
+openers.log = () => { if (followsLog) scrollLog(); };
 $("parameter-refresh").addEventListener("click", () => send({ op: "parameters", node: $("parameter-node").value }));
 $("parameter-node").addEventListener("change", () => { send({ op: "parameters", node: $("parameter-node").value }); $("parameter-node").blur(); });
 $("pad").addEventListener("pointerdown", (event) => { pressed = padPoint(event); $("pad").setPointerCapture(event.pointerId); drawPad(pressed, null); });
