@@ -1338,6 +1338,19 @@ def test_a_graph_that_closes_while_its_router_is_asked_leaves_no_thread(
     late.join()
 
 
+def test_end_does_not_wait_for_a_router_that_does_not_reply() -> None:
+    asked = threading.Event()
+    silent = SimpleNamespace(
+        close=lambda: None, liveliness=lambda: SimpleNamespace(get=lambda *_, **__: asked.set())
+    )
+    announced = zenoh_announced.AnnouncedTokens(lambda: silent, "**")
+    assert not announced.are_here(lambda _: False)
+    assert asked.wait(10.0)
+    announced.close()
+    assert not [thread for thread in threading.enumerate() if thread.name == "tfloom_zenoh_announced"]
+    assert not announced.are_here(lambda _: False)  # and nothing is asked any more
+
+
 def test_the_owner_of_the_router_awaits_nobody_and_others_await_it(
     participant: Participant, domain_id: int
 ) -> None:
