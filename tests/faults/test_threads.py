@@ -58,6 +58,7 @@ from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom.viewer import page_server
 from tfloom.viewer.inline_page import InlinePage
 from tfloom.viewer.page_server import PageServer, ServerError
+from tfloom.viewer.published_joints import published_joints
 
 SOURCE = Path(tfloom.__path__[-1])
 NO_THREAD = "can't start new thread"
@@ -110,6 +111,7 @@ PLACES = {
     "viewer/inline_page.py": ["inline_page"],
     "viewer/page_server.py": ["page_server"],
     "viewer/parameters.py": [TOLD],
+    "viewer/published_joints.py": ["published_joints"],
 }
 """By file, one entry for each place that starts threads: the row that refuses it one, or why there is none."""
 
@@ -744,6 +746,21 @@ def test_ros_adapter_that_is_shut_down_before_its_thread_has_begun() -> None:
         adapter._executor.shutdown()
         begin()
     adapter.shutdown()
+
+
+@pytest.mark.usefixtures("_local")
+def test_published_joints_without_a_thread() -> None:
+    """No node is left, and they can be published later."""
+    robot = '<robot name="robot"><link name="base"/></robot>'
+    with (
+        no_threads(),
+        pytest.raises(RuntimeError, match=f"the joints have no thread: {NO_THREAD}"),
+        published_joints(robot, pytest.fail),
+    ):
+        pytest.fail("it has a thread")
+    with published_joints(robot, pytest.fail) as joints:
+        assert joints.rows() == []
+        assert joints._publisher.count_publishers("/joint_states") == 1  # none of the first
 
 
 def test_launch_output_without_a_thread() -> None:

@@ -325,6 +325,7 @@ def _open_published(
     Raises:
         CommandError: they can't be published.
     """
+    from tfloom.robot.robot_state_publisher import StartError
     from tfloom.robot.urdf_faults import UrdfError
     from tfloom.viewer.published_joints import published_joints
 
@@ -346,8 +347,10 @@ def _open_published(
             )
         except OSError as error:
             raise CommandError(f"can't read {publishing.urdf_file}: {error.strerror or error}") from None
-        except UrdfError as error:
+        except (UrdfError, StartError) as error:
             raise CommandError(f"{publishing.urdf_file or 'robot_description'}: {error}") from None
+        except RuntimeError as error:
+            raise CommandError(str(error)) from None
         yield stack.enter_context(_open_live(args, joints, robot))
     if reasons:
         raise CommandError(reasons[0])

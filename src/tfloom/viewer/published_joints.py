@@ -100,6 +100,7 @@ def published_joints(
         OSError, UrdfError, StartError: the description can't be read, or is not valid.
         InvalidParameterValueException: a parameter is out of range.
         RCLError: a ROS argument can't be used.
+        RuntimeError: the system has no thread.
     """
     context = Context()
     context.init(args=list(args))
@@ -123,7 +124,10 @@ def published_joints(
         thread = threading.Thread(
             target=partial(_spin, executor, on_failure), name="joint states", daemon=True
         )
-        thread.start()
+        try:
+            thread.start()
+        except RuntimeError as error:
+            raise RuntimeError(f"the joints have no thread: {error}") from error
         # The thread ends before the nodes are destroyed, so that no callback runs with a node that is gone.
         stack.callback(thread.join)
         stack.callback(executor.shutdown)
