@@ -27,6 +27,7 @@ NOT_ON_ZENOH = {
     "test_transforms_are_received_while_the_gil_is_held": "each message calls Python there",
     "test_a_publisher_that_listeners_do_not_hear_is_named": "they hear it, whatever its quality of service",
     "test_incompatible_endpoints_are_reported_on_both_sides": "the text differs: tests/rmw/test_zenoh_wire.py has it",
+    "test_node_that_is_listed_after_its_transforms_is_named": "a writer's token names its node there",
     "test_requests_to_a_buffer_server": "a bystander can't read requests there",
     "test_listener_logs_the_messages_of_the_talker": "prints the padding of DDS",
     "test_topic_of_an_unknown_type_is_said_once": "the hash of a type must be known there",
