@@ -45,6 +45,7 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.time import Time
 from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.events import Count, Event
 from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import PROFILES, HistoryPolicy, QoS, ReliabilityPolicy
@@ -344,6 +345,16 @@ def test_type_that_is_unknown_is_asked_for_again_at_the_end(
     assert ("There is no definition of 'odd_msgs/msg/Odd' here" in capfd.readouterr().err) != is_found
 
 
+def test_bag_is_completed_though_its_last_search_fails(
+    record_odd: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, capfd: Any
+) -> None:
+    monkeypatch.setattr(recorded_topics, "SEARCH_S", 1e6)
+    recorder, _ = record_odd(9)
+    monkeypatch.setattr(recorder._topics, "_learn", raising(ClosedError("the participant was closed")))
+    assert definition_of_odd(recorder) is None
+    assert "There is no definition of 'odd_msgs/msg/Odd' here" in capfd.readouterr().err
+
+
 @pytest.mark.parametrize("found_at", [3, 99])
 def test_type_that_is_unknown_is_asked_for_again_some_times(
     record_odd: Callable[..., Any], monkeypatch: pytest.MonkeyPatch, capfd: Any, found_at: int
@@ -352,9 +363,9 @@ def test_type_that_is_unknown_is_asked_for_again_some_times(
     recorder, asked = record_odd(found_at)
     wait_until(lambda: not recorder.is_discovery_running, what="the end of all searches")
     is_found = found_at == 3
-    assert len(asked) == (3 if is_found else 1 + recorded_topics.SEARCHES)
+    assert len(asked) == (3 if is_found else 1 + recorded_topics.MAX_SEARCHES)
     definition = definition_of_odd(recorder)
-    assert len(asked) == (3 if is_found else 1 + recorded_topics.SEARCHES)
+    assert len(asked) == (3 if is_found else 1 + recorded_topics.MAX_SEARCHES)
     assert (definition and definition.text) == ("int32 x" if is_found else None)
     assert ("There is no definition of" in capfd.readouterr().err) != is_found
 

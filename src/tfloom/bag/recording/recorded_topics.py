@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 __all__ = ["RecordedTopics"]
 
-SEARCHES = 5
+MAX_SEARCHES = 5
 """How often a definition is searched for again, where no node had one."""
 SEARCH_S = 1.0
 """Time between two searches [s]."""
@@ -122,9 +122,12 @@ class RecordedTopics:
     def close(self) -> None:
         """Close the readers of all topics. A definition that was searched for only once is searched for again."""
         for number, (topic, left) in list(self._undefined.items()):
-            if left == SEARCHES:
-                self._define(number, topic, 0)
-            else:
+            try:
+                if left == MAX_SEARCHES:
+                    self._define(number, topic, 0)
+                else:
+                    self._report_undefined(topic)
+            except Exception:  # noqa: BLE001  # of the wire, which may have ended: the bag is completed all the same
                 self._report_undefined(topic)
         self._undefined.clear()
         for recorded in self._recorded.values():
@@ -191,7 +194,7 @@ class RecordedTopics:
         self._node.get_logger().info(f"Subscribed to topic '{name}'")
         # Asking peers for the definition takes time: messages are recorded meanwhile, and the definition comes later.
         if topic.definition is None:
-            self._define(number, topic, SEARCHES)
+            self._define(number, topic, MAX_SEARCHES)
 
     def _define(self, number: int, topic: Topic, searches_left: int) -> None:
         """Look for the definition of a type that is unknown here, and again later where there is none."""
