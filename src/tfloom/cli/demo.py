@@ -171,20 +171,11 @@ def _domain(*, is_shared: bool) -> Iterator[int]:
 def nodes_on(domain_id: int) -> list[str]:
     """Return the names of the nodes that a program finds on a DDS domain as those of the demonstration would."""
     from tfloom.cli.shared.graph import wait_until_quiet
-    from tfloom.demos.processes import ENVIRONMENT, UNSET
+    from tfloom.demos.processes import ENVIRONMENT, environment_set
     from tfloom.rmw.backends import open_participant
 
-    before = {name: os.environ.get(name) for name in (*ENVIRONMENT, UNSET)}
-    os.environ.update(ENVIRONMENT)
-    os.environ.pop(UNSET, None)
-    try:
+    with environment_set(ENVIRONMENT):
         participant = open_participant(domain_id)
-    finally:
-        for name, value in before.items():
-            if value is None:
-                os.environ.pop(name, None)
-            else:
-                os.environ[name] = value
     try:
         wait_until_quiet(participant.graph, DISCOVERY_S, goes_on=True)
         return sorted({node.full for node in participant.graph.nodes() if not node.name.startswith("_")})

@@ -6,7 +6,6 @@ import argparse
 import sys
 
 from tfloom.cli import view
-from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.viewer.extra import MISSING, is_installed
@@ -31,13 +30,5 @@ def run(args: list[str] | None = None) -> int:
     if not is_installed():
         report(f"{NAME}: {MISSING.format(name='the page with sliders')}")
         return 1
-    options = argparse.ArgumentParser(prog=NAME)
-    view.add_arguments(options)
-    publishing = view.Publishing(urdf_file, list(words))
     print(f"{NAME}: sliders are on the page of `tfloom view`", flush=True)
-    try:
-        # A user who starts it by a launch file wants to see it, so the page is opened without a terminal, too.
-        return view.serve(options.parse_args([]), needs_terminal=False, publishing=publishing)
-    except CommandError as error:
-        report(f"{NAME}: {error}")
-        return 1
+    return view.serve_as(NAME, [], view.Publishing(urdf_file, list(words)))

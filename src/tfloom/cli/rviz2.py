@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 
 from tfloom.cli import view
-from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
 from tfloom.node.context.arguments import parse_arguments
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
@@ -56,13 +55,6 @@ def run(args: list[str] | None = None) -> int:
         asked += ["--config", str(words.display_config)]
     if parsed.parameter_overrides(full).get("use_sim_time") is True:
         asked.append("--use-sim-time")
-    options = argparse.ArgumentParser(prog=NAME)
-    view.add_arguments(options)
     what = "a new view" if words.display_config is None else str(words.display_config)
     print(f"{NAME}: the page of `tfloom view` stands in for RViz, and shows {what}", flush=True)
-    try:
-        # A user who starts RViz by a launch file wants to see it, so the page is opened without a terminal, too.
-        return view.serve(options.parse_args(asked), needs_terminal=False)
-    except CommandError as error:
-        report(f"{NAME}: {error}")
-        return 1
+    return view.serve_as(NAME, asked)

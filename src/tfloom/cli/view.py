@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import Layout
     from tfloom.viewer.program import Viewer
 
-__all__ = ["Publishing", "add_arguments", "main", "read_config", "serve", "start_pages"]
+__all__ = ["Publishing", "add_arguments", "main", "read_config", "serve", "serve_as", "start_pages"]
 
 PORT = 8765
 HISTORY_S = 60.0
@@ -186,6 +186,25 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool, publishing: Publish
             webbrowser.open(viewer.pages.address)
         viewer.run(over.is_set)
     return 0
+
+
+def serve_as(name: str, words: list[str], publishing: Publishing | None = None) -> int:
+    """Serve pages in place of a program of another name; return the exit code.
+
+    A user who starts it by a launch file wants to see it, so the page is opened without a terminal, too.
+
+    Args:
+        name: The program.
+        words: The command line of `view`.
+        publishing: As in `serve`.
+    """
+    parser = argparse.ArgumentParser(prog=name)
+    add_arguments(parser)
+    try:
+        return serve(parser.parse_args(words), needs_terminal=False, publishing=publishing)
+    except CommandError as error:
+        report(f"{name}: {error}")
+        return 1
 
 
 @contextmanager

@@ -21,10 +21,31 @@ MAX_TRIES = 5
 """Number of domains that are looked at."""
 
 
-ENVIRONMENT = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST", "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp"}
-"""What the programs find in their environment, so that they meet on this machine alone."""
-UNSET = "CYCLONEDDS_URI"
-"""What they don't find there."""
+ENVIRONMENT: Mapping[str, str | None] = {
+    "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
+    "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
+    "CYCLONEDDS_URI": None,
+}
+"""Variables of the programs, which meet on this machine alone; None: it isn't set."""
+
+
+@contextlib.contextmanager
+def environment_set(variables: Mapping[str, str | None]) -> Iterator[None]:
+    """Set variables of this process's environment for the block; None: it isn't set."""
+    before = {name: os.environ.get(name) for name in variables}
+    _set_variables(variables)
+    try:
+        yield
+    finally:
+        _set_variables(before)
+
+
+def _set_variables(variables: Mapping[str, str | None]) -> None:
+    for name, value in variables.items():
+        if value is None:
+            os.environ.pop(name, None)
+        else:
+            os.environ[name] = value
 
 
 @contextlib.contextmanager
@@ -59,8 +80,8 @@ def own_domain(is_free: Callable[[int], bool]) -> Iterator[int]:
 
 def process_starter(domain_id: int) -> StartProgram:
     """Return a function that starts a program as a process on a DDS domain, on the loopback interface alone."""
-    environment = os.environ | ENVIRONMENT | {"ROS_DOMAIN_ID": str(domain_id)}
-    environment.pop(UNSET, None)
+    variables = {**os.environ, **ENVIRONMENT, "ROS_DOMAIN_ID": str(domain_id)}
+    environment = {name: value for name, value in variables.items() if value is not None}
     return lambda command, on_line: ProcessProgram(command, environment, on_line)
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import contextlib
 import io
-import os
 import sys
 import threading
 import time
@@ -19,6 +18,7 @@ from importlib import import_module
 from typing import TextIO
 
 from tfloom.common.terminal import report
+from tfloom.demos.processes import environment_set
 from tfloom.demos.program_group import LOG_LINES, StartProgram
 from tfloom.demos.show import PROGRAMS
 from tfloom.node.context.context import Context
@@ -38,25 +38,11 @@ def thread_starter() -> Iterator[StartProgram]:
     The output of the programs' threads is added to their logs; other output is unchanged.
     """
     with (
-        _environment(RMW_IMPLEMENTATION="tfloom_local", ROS_DOMAIN_ID="0"),
+        environment_set({"RMW_IMPLEMENTATION": "tfloom_local", "ROS_DOMAIN_ID": "0"}),
         contextlib.redirect_stdout(_Output(sys.stdout)),
         contextlib.redirect_stderr(_Output(sys.stderr)),
     ):
         yield ThreadProgram
-
-
-@contextlib.contextmanager
-def _environment(**variables: str) -> Iterator[None]:
-    before = {name: os.environ.get(name) for name in variables}
-    os.environ.update(variables)
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                os.environ.pop(name, None)
-            else:
-                os.environ[name] = value
 
 
 class ThreadProgram:

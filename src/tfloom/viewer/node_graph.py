@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from tfloom.rmw.action_names import SEND_GOAL
 from tfloom.viewer.displays.display import shown_text
 
 if TYPE_CHECKING:
@@ -19,8 +20,6 @@ HIDDEN_SERVICES = (
     *("set_parameters_atomically", "get_type_description", "get_logger_levels", "set_logger_levels"),
 )
 """Last words of services of every node."""
-SEND_GOAL = "/_action/send_goal"
-"""How the service ends of which each action has one."""
 ACTION_PART = "/_action/"
 MAX_EDGES = 2000
 """Number of edges of the picture."""

@@ -412,8 +412,8 @@ class Viewer:
 
     def _fitted(self, page: str) -> ViewPoint | None:
         """Return from where a page sees all that is shown; None where nothing is, or it has not told its camera."""
-        extent, camera, now = self.view.extent(), self._server.camera(page), self._server.view_point(page)
-        if extent is None or camera is None or now is None:
+        camera, now = self._server.camera(page), self._server.view_point(page)
+        if camera is None or now is None or (extent := self.view.extent()) is None:
             return None
         x, y, z = (there - here for there, here in zip(now.position, now.look_at, strict=True))
         return view_of(extent, camera.fov_rad, camera.aspect, (x, y, z))

@@ -2,7 +2,7 @@
 "use strict";
 
 const GRAPH_NS = "http://www.w3.org/2000/svg";
-const GRAPH_KINDS = { node: ["#dfe3ea", "node"], topic: ["#ffd166", "topic"], service: ["#6bdd6b", "service"], action: ["#c792ea", "action"] };
+const KIND_COLORS = { node: "#dfe3ea", topic: "#ffd166", service: "#6bdd6b", action: "#c792ea" };
 const LAYER_PX = 220, PLACE_PX = 30, BOX_PX = 180, BOX_TALL_PX = 20, MAX_LETTERS = 28;
 let graphBox = [0, 0, 400, 300];      // what of the picture is shown: x, y, width, height
 let graphWhole = graphBox;
@@ -42,7 +42,7 @@ function showGraph(graph) {
     return line;
   });
   const boxes = graph.vertices.map(({ kind, name }, number) => {
-    const [x, y] = places[number], [color] = GRAPH_KINDS[kind];
+    const [x, y] = places[number], color = KIND_COLORS[kind];
     const label = svgElement("text", { x, y: y + 4, "text-anchor": "middle", fill: color },
       name.length > MAX_LETTERS ? `${name.slice(0, MAX_LETTERS - 1)}…` : name);
     const box = svgElement("g", { class: "vertex", "data-kind": kind }, svgElement("rect", { x: x - BOX_PX / 2, y: y - BOX_TALL_PX / 2,
@@ -72,8 +72,8 @@ function showGraph(graph) {
   layGraph();
   const kinds = [...new Set(graph.vertices.map(({ kind }) => kind))];
   $("graph-legend").replaceChildren(...kinds.map((kind) => {
-    const mark = element("span", { textContent: `▭ ${GRAPH_KINDS[kind][1]}` });
-    mark.style.color = GRAPH_KINDS[kind][0];
+    const mark = element("span", { textContent: `▭ ${kind}` });
+    mark.style.color = KIND_COLORS[kind];
     return mark;
   }), kinds.length ? "→ data, or a call" : "");
 }

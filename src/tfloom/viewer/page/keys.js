@@ -43,7 +43,8 @@ function showEmpty() {
   box.hidden = !state.empty;
   if (!state.empty) return;
   setText($("empty-text"), state.empty);
-  const topics = state.displays.map((row) => row.topic).filter((topic, index) => !state.displays[index].on && !OWN_TOPICS.includes(topic)).slice(0, 6);
+  const isOffered = (row) => !row.on && !OWN_TOPICS.includes(row.topic);
+  const topics = state.displays.filter(isOffered).slice(0, 6).map((row) => row.topic);
   const key = JSON.stringify(topics);
   if (box.dataset.key === key) return;
   box.dataset.key = key;

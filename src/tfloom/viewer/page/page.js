@@ -329,12 +329,11 @@ const MAX_LINES = 2000;
 let lines = [];
 
 function addLines(added) {
-  const wasAtEnd = followsLog;
   lines = [...lines, ...added].slice(-MAX_LINES);
   const box = $("log-lines");
   for (const line of added) if (isWanted(line)) box.append(makeLine(line));
   while (box.children.length > MAX_LINES) box.firstChild.remove();
-  if (wasAtEnd) scrollLog();
+  if (followsLog) scrollLog();
 }
 
 let followsLog = true;        // until its user scrolls up, and again from the end
