@@ -49,7 +49,7 @@ def test_version_is_printed_without_loading_the_rooms() -> None:
 
 def test_version_is_in_the_metadata_of_each_distribution() -> None:
     assert version("tfloom") == tfloom.__version__, "run `make setup`"
-    for beside in ("tfloom-ros2", "tfloom-interfaces", "tfloom-sensing"):
+    for beside in ("tfloom-ros2", "tfloom-rviz", "tfloom-interfaces", "tfloom-sensing"):
         assert version(beside) == tfloom.__version__, "run `make setup`"
 
 
@@ -61,7 +61,7 @@ def test_version_is_written_once_and_its_copies_match() -> None:
     )
     assert own == []
     # Their sdists are built without tfloom's sources, so they can't read them.
-    assert beside == [[tfloom.__version__]] * 3
+    assert beside == [[tfloom.__version__]] * 4
 
 
 def test_classifiers_match_the_systems_in_the_readme() -> None:

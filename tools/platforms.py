@@ -500,6 +500,7 @@ PURE_PACKAGES = (
     "pytest-rerunfailures>=16.3",
     "hypothesis>=6.140,<6.156",  # Debian's warns by mistake about its own object; later ones are compiled
     "./packages/tfloom-ros2",
+    "./packages/tfloom-rviz",
     "./packages/tfloom-interfaces",
 )
 """What the tests need and Debian hasn't, or not as new."""

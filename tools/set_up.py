@@ -42,7 +42,7 @@ STAGES: dict[str, tuple[list[str], list[str]]] = {
 ALONE = {"docs"}
 """Stages that need none before them: the documentation is built from the sources, without compiling them."""
 PACKAGE = ROOT / "src" / "tfloom"
-PACKAGES = ("tfloom-ros2", "tfloom-interfaces", "tfloom-sensing")
+PACKAGES = ("tfloom-ros2", "tfloom-rviz", "tfloom-interfaces", "tfloom-sensing")
 """Distributions in packages/, installed in the stage `test`, because tests use what they have."""
 DDS = "cyclonedds"
 OWN_DDS = ROOT / "packages" / "tfloom-ddsc"

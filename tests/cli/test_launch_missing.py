@@ -32,7 +32,7 @@ def generate_launch_description():
         IncludeLaunchDescription(laser + "/launch/laser.launch.py"),
         IncludeLaunchDescription(here + "/mars.launch.py"),
         IncludeLaunchDescription(here + "/nothere.launch.py"),
-        Node(package="rqt_graph", executable="rqt_graph"),
+        Node(package="rqt_publisher", executable="rqt_publisher"),
         Node(package="turtlesim", executable="no_such_program"),
         ExecuteProcess(cmd=[FindExecutable(name="no_such_gui")]),
         ComposableNodeContainer(name="c", namespace="", package="rclcpp_components", executable="component_container"),
@@ -50,7 +50,7 @@ SKIPPED = [
     "skipped: {main}:22: package 'laser_driver' not found: it has launch",
     "skipped: {folder}/mars.launch.py:1: ModuleNotFoundError: No module named 'nav_to_mars'",
     "skipped: {main}:24: [Errno 2] No such file or directory: '{folder}/nothere.launch.py'",
-    "skipped: {main}:25: package 'rqt_graph' not found",
+    "skipped: {main}:25: package 'rqt_publisher' not found",
     "skipped: {main}:26: executable 'no_such_program' not found on the libexec directory ",
     "skipped: {main}:27: executable 'no_such_gui' not found on the PATH",
     "skipped: {main}:28: ComposableNodeContainer: composable nodes are C++ libraries",
@@ -97,7 +97,7 @@ def test_what_is_missing_is_named_and_the_rest_runs(launch_file: Path) -> None:
     names = {"main": launch_file, "folder": launch_file.parent}
     assert len(lines) == len(SKIPPED), ran.text
     assert "UserWarning" not in ran.text
-    assert "the panel Graph of `tfloom view` stands in for it here" in ran.text
+    assert "in the panel Send of `tfloom view` stands in for it here" in ran.text
     for line, expected in zip(lines, SKIPPED, strict=True):
         assert line.startswith(expected.format(**names))
 

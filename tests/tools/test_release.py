@@ -46,8 +46,8 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 @pytest.mark.slow
 def test_files_are_complete_and_pass_the_checks(tools: Tools, files: list[Path]) -> None:
     names = {re.split(r"-(?=\d)", path.name)[0] for path in files}
-    assert names == {"tfloom", "tfloom_ros2", "tfloom_interfaces", "tfloom_sensing"}
-    assert len(files) == 8
+    assert names == {"tfloom", "tfloom_ros2", "tfloom_rviz", "tfloom_interfaces", "tfloom_sensing"}
+    assert len(files) == 10
     assert all(f"-{tfloom.__version__}" in path.name for path in files)
     release.check(tools, files)
 

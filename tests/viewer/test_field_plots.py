@@ -19,7 +19,7 @@ from tests.viewer.conftest import OWN_TYPES, Page, running
 from tfloom.bag import open_bag
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
-from tfloom.interfaces.geometry_msgs.msg import PoseArray, PoseWithCovariance
+from tfloom.interfaces.geometry_msgs.msg import PoseArray, PoseStamped, PoseWithCovariance
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.interfaces.std_msgs.msg import Float64, String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -184,6 +184,48 @@ def test_plot_waits_for_its_topic(node: Node, viewer: Viewer, open_page: OpenPag
     publisher.publish(Float64(data=2.5))
     page.wait_for(lambda: page.state["plots"][0]["shown"] == 2.5)
     page.wait_for(lambda: "data is a text" in page.state["plots"][1]["status"])
+
+
+def test_path_waits_for_its_topic_and_stands_for_its_fields(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    for path in (
+        "/a/b/pose/position/x:z",
+        "/a/b/pose/orientation",
+        "/a/b/data/0",
+        "/text",
+        "/a/b/data",
+        "/scan",
+    ):
+        viewer.view.plots.seek(path)
+    page = open_page(viewer)
+    page.wait_for(lambda: len(page.state["plots"]) == 6)
+    assert page.state["plots"][0]["status"] == "nobody publishes /a/b/pose/position/x:z yet"
+    assert viewer.view.plots.names() == []  # none is written into a layout
+    # The topic is the longest name that a path begins with.
+    node.create_publisher(Float64, "/a", 1)
+    page.wait_for(lambda: "has no field b.pose" in page.state["plots"][0]["status"])
+    node.create_publisher(PoseStamped, "/a/b", 1)
+    node.create_publisher(String, "/text", 1)
+    node.create_publisher(LaserScan, "/scan", 1)
+    page.wait_for(lambda: len(viewer.view.plots.names()) == 9)
+    names = viewer.view.plots.names()
+    assert [field for topic, field in names if topic == "/a/b"] == [
+        "pose.position.x",
+        "pose.position.z",
+        *(f"pose.orientation.{axis}" for axis in "xyzw"),
+    ]
+    # Of a message with more numbers than there is room for, the first; none within an array.
+    assert [field for topic, field in names if topic == "/scan"] == [
+        "header.stamp.sec",
+        "header.stamp.nanosec",
+        "angle_min",
+    ]
+    left = {plot["topic"]: plot["status"] for plot in page.state["plots"] if not plot["field"]}
+    assert left["/text"] == "/text has no numbers outside of arrays: name a field"
+    assert "has no field data.0" in left["/a/b/data/0"]
+    page.send(op="plot", topic="/text", field="", on=False)
+    page.wait_for(lambda: all(plot["topic"] != "/text" for plot in page.state["plots"]))
 
 
 def test_wrong_plots_get_a_sentence(

@@ -220,3 +220,26 @@ def test_narrow_screens_have_the_scene_and_a_drawer(tab: Tab, width: int, height
     assert stick["bottom"] <= scene["bottom"]
     assert stick["right"] - stick["left"] >= 120
     tab.keep(f"narrow_{width}")
+
+
+def test_address_names_the_panel_that_is_open(browser: Any, address: str, observer: SpunNode) -> None:
+    observer.node.create_publisher(Pose, "/turtle1/pose", 1)
+    opened = Tab(browser, address, "&panel=graph")
+    wait_until(lambda: opened.page.is_visible("#graph"), what="the panel")
+    wait_until(
+        lambda: "/turtle1/pose" in opened.text("#graph-picture"), what="the graph, which was asked for"
+    )
+    assert box_of(opened, "#left")["right"] > 0.55 * 1000
+    assert opened.page.is_hidden("#frames")
+    # A connection that is opened again leaves the panel that its user has chosen since.
+    opened.page.evaluate("openPanel('send'); socket.close()")
+    opened.page.wait_for_selector("body:not([data-ready=yes])", timeout=120_000.0)
+    opened.page.wait_for_selector("body[data-ready=yes]", timeout=120_000.0)
+    assert opened.page.is_visible("#send")
+    opened.page.close()
+    for query, panel in (("&panel=plots", "#plot-panel"), ("&panel=nothing", "#frames")):
+        other = Tab(browser, address, query)
+        wait_until(lambda panel=panel, other=other: other.page.is_visible(panel), what=panel)
+        other.page.close()
+        assert other.faults == []
+    assert opened.faults == []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import signal
 import sys
 import threading
@@ -13,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from tfloom.cli.shared.errors import CommandError
-from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.names import full_name, full_topic_name
 from tfloom.cli.shared.numbers import seconds
 from tfloom.common.terminal import report, shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
@@ -28,6 +29,8 @@ if TYPE_CHECKING:
 __all__ = ["Publishing", "add_arguments", "main", "read_config", "serve", "serve_as", "start_pages"]
 
 PORT = 8765
+PANELS = ("displays", "doctor", "frames", "graph", "joints", "log", "parameters", "plots", "send")
+"""The panels of a page, as `?panel=` of its address names them."""
 HISTORY_S = 60.0
 MAX_END_S = 0.5
 """How long a picture may take after Ctrl-C until it is given up [s]: one of many thousand frames takes seconds."""
@@ -68,6 +71,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fixed-frame", metavar="FRAME", default="", help="the frame that stands still")
     parser.add_argument(
         "-d", "--display", metavar="TOPIC", action="append", default=[], help="show a topic from the start"
+    )
+    parser.add_argument(
+        "--plot",
+        metavar="TOPIC/FIELD",
+        action="append",
+        default=[],
+        help="plot a numeric field from the start, as /turtle1/pose/x, or all those of a topic",
+    )
+    parser.add_argument(
+        "--panel", choices=PANELS, default="", help="the panel that the page opens with (default: Frames)"
     )
     parser.add_argument(
         "--history",
@@ -177,15 +190,37 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool, publishing: Publish
         start_pages(viewer, args.host, args.port)
         for topic in args.display:
             viewer.view.want(full_topic_name(topic))
-        print(f"Open {viewer.pages.address}", flush=True)
-        if "?token=" in viewer.pages.address:
+        _seek_plots(viewer, args.plot)
+        has_token = "?token=" in viewer.pages.address
+        address = viewer.pages.address
+        if args.panel:
+            address += f"{'&' if has_token else '?'}panel={args.panel}"
+        if has_token:
             print(OPEN_TO_ALL, flush=True)
+        print(f"Open {address}", flush=True)
         if not args.no_open and _has_browser(needs_terminal=needs_terminal):
             import webbrowser
 
-            webbrowser.open(viewer.pages.address)
+            webbrowser.open(address)
         viewer.run(over.is_set)
     return 0
+
+
+def _seek_plots(viewer: Viewer, paths: list[str]) -> None:
+    """Plot what the command line names.
+
+    Raises:
+        CommandError: one can't be the name of a field, or there are too many.
+    """
+    from tfloom.viewer.page_command import PageError
+
+    for path in map(full_name, paths):
+        if not re.fullmatch(r"(/[A-Za-z_][\w\[\]:]*)+", path, re.ASCII):
+            raise CommandError(f"argument --plot: {path} is not a topic with a field, as /turtle1/pose/x")
+        try:
+            viewer.view.plots.seek(path)
+        except PageError as error:
+            raise CommandError(f"argument --plot: {error}") from None
 
 
 def serve_as(name: str, words: list[str], publishing: Publishing | None = None) -> int:

@@ -57,6 +57,15 @@ PROGRAMS: dict[str, dict[str, str]] = {
     "robot_state_publisher": {
         "robot_state_publisher": "tfloom.robot.robot_state_publisher:main",
     },
+    "rqt_console": {
+        "rqt_console": "tfloom.cli.rqt:run_console",
+    },
+    "rqt_graph": {
+        "rqt_graph": "tfloom.cli.rqt:run_graph",
+    },
+    "rqt_plot": {
+        "rqt_plot": "tfloom.cli.rqt:run_plot",
+    },
     "rviz2": {
         "rviz2": "tfloom.cli.rviz2:run",
     },
@@ -100,11 +109,8 @@ STAND_INS = {
     "ros_gz_bridge": _SIMULATOR,
     "ros_gz_sim": _SIMULATOR,
     "rqt": "rqt is not here: `tfloom view` has its graph, log, parameters, plots, images and forms on one page",
-    "rqt_console": "the panel Log of `tfloom view` stands in for it here",
-    "rqt_graph": "the panel Graph of `tfloom view` stands in for it here",
     "rqt_gui": "rqt is not here: `tfloom view` has its graph, log, parameters, plots, images and forms on one page",
     "rqt_image_view": "an image in the panel Displays of `tfloom view` stands in for it here",
-    "rqt_plot": "the panel Plots of `tfloom view` stands in for it here",
     "rqt_publisher": "a form for a topic in the panel Send of `tfloom view` stands in for it here",
     "rqt_reconfigure": "the panel Parameters of `tfloom view` stands in for it here",
     "rqt_service_caller": "a form for a service in the panel Send of `tfloom view` stands in for it here",

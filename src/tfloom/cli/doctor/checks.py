@@ -29,6 +29,7 @@ LARGE_BUFFER = 4 << 20
 
 DISTRIBUTIONS = (
     "tfloom-ros2",
+    "tfloom-rviz",
     "tfloom-interfaces",
     "tfloom-sensing",
     "tfloom-ddsc",

@@ -33,7 +33,7 @@ function showJoints() {
     if (!tab.hidden) { tab.hidden = true; jointRows.clear(); $("joint-rows").replaceChildren(); openPanel("frames"); }
     return;
   }
-  if (tab.hidden) { tab.hidden = false; openPanel("joints"); }
+  if (tab.hidden) { tab.hidden = false; if (!query.get("panel")) openPanel("joints"); }
   const keys = new Set(joints.map((joint) => joint.key));
   for (const key of [...jointRows.keys()]) if (!keys.has(key)) jointRows.delete(key);
   const lines = joints.map((joint) => {

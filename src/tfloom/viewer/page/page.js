@@ -50,7 +50,7 @@ function connect() {
 }
 
 function take(message) {
-  if (message.page !== undefined) openScene(message.page, message.camera);
+  if (message.page !== undefined) { openScene(message.page, message.camera); openAskedPanel(); }
   if (message.state !== undefined) { state = message.state; show(); }
   if (message.log !== undefined) addLines(message.log);
   if (message.error !== undefined) say(message.error);
@@ -505,6 +505,18 @@ function openPanel(name) {
   for (const panel of document.querySelectorAll(".panel")) panel.classList.toggle("on", panel.id === name);
   if (openers[name]) openers[name]();
   if (name === "parameters") send({ op: "parameters", node: $("parameter-node").value });
+}
+
+// The panel that the address asks for, as `?panel=graph`: once, because a connection that is opened again is no new page.
+let askedPanel = query.get("panel") === "plots" ? "plot-panel" : query.get("panel");
+function openAskedPanel() {
+  const panels = [...document.querySelectorAll(".panel")].map((panel) => panel.id);
+  if (panels.includes(askedPanel)) {
+    openPanel(askedPanel);
+    document.body.classList.add("drawer");
+    $("left").classList.toggle("wide", ["graph", "log"].includes(askedPanel));
+  }
+  askedPanel = null;
 }
 
 for (const button of document.querySelectorAll("#tabs [data-panel]")) button.addEventListener("click", () => openPanel(button.dataset.panel));

@@ -13,6 +13,8 @@ from tfloom.viewer.topic_log import START
 from tfloom.viewer.topics import TypeNotYetKnownError
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from tfloom.rosidl.message import Message
     from tfloom.viewer.frames import Span
     from tfloom.viewer.plots.field_path import Path
@@ -35,6 +37,7 @@ class _Plot:
     def __init__(self, topic: str, field: str, length_ns: int | None) -> None:
         self.topic = topic
         self.field = field
+        """Empty: the topic is a path, as of `Plots.seek`."""
         self.series = Series(length_ns)
         self.path: Path | None = None
         """None until the type is known."""
@@ -58,8 +61,8 @@ class Plots:
         self._cursors: dict[str, Cursor] = {}
 
     def names(self) -> list[tuple[str, str]]:
-        """Return topic and field of each plot."""
-        return list(self._plots)
+        """Return topic and field of each plot whose topic was found."""
+        return [(topic, field) for topic, field in self._plots if field]
 
     def topics(self) -> list[list[str]]:
         """Return the topics with their types, for a page to choose from."""
@@ -101,6 +104,56 @@ class Plots:
             except TypeNotYetKnownError as error:
                 plot.status = shown_text(str(error))
         self._plots[topic, field] = plot
+
+    def seek(self, path: str) -> None:
+        """Plot what a path of slashes names, as soon as its topic is there.
+
+        Args:
+            path: A topic with the names of a field, as `/turtle1/pose/x` or, for several, `/turtle1/pose/x:y`; a topic
+                or a message in it alone stands for its numeric fields outside of arrays.
+
+        Raises:
+            PageError: there are too many plots.
+        """
+        self.add(path, "", is_there=False)
+
+    def _find(self, plot: _Plot, types: Mapping[str, str]) -> None:
+        """Put the plots that a path means in its place, if its topic is there: the longest name that it begins with."""
+        names = (name for name in types if f"{plot.topic}/".startswith(f"{name}/"))
+        topic = max(names, key=len, default=None)
+        if topic is None:
+            return
+        *steps, last = plot.topic.removeprefix(topic).removeprefix("/").split("/")
+        try:
+            fields = self._fields_of(topic, ".".join(steps), last.split(":"))
+        except (PageError, DisplayError, LookupError, ValueError) as error:
+            plot.status = shown_text(str(error))
+            return
+        del self._plots[plot.topic, ""]
+        for field in fields[: MAX_PLOTS - len(self._plots)]:
+            self.add(topic, field, is_there=False)
+
+    def _fields_of(self, topic: str, before: str, last: list[str]) -> list[str]:
+        """Return the numeric fields by the end of a path; of a message, those that are outside of arrays.
+
+        Raises:
+            PageError: there is no such field.
+            DisplayError: the topic's type is not known, or not yet.
+        """
+        known = self.fields(topic)
+        found: list[str] = []
+        for name in last:
+            field = f"{before}.{name}".strip(".")
+            prefix = f"{field}." if field else ""
+            within = [
+                path for path in known if path.startswith(prefix) and "[" not in path.removeprefix(prefix)
+            ]
+            if not within and not field:
+                raise PageError(f"{topic} has no numbers outside of arrays: name a field")
+            if not within:
+                parse_path(self._topics.message_class(topic), field)
+            found += within or [field]
+        return found
 
     def remove(self, topic: str, field: str) -> None:
         """End a plot."""
@@ -147,8 +200,10 @@ class Plots:
     def look(self) -> None:
         """Begin to read the topics of plots that are there by now."""
         types = self._topics.types()
-        for plot in self._plots.values():
-            if plot.topic in types and (plot.path is None or plot.topic not in self._cursors):
+        for plot in list(self._plots.values()):
+            if not plot.field:
+                self._find(plot, types)
+            elif plot.topic in types and (plot.path is None or plot.topic not in self._cursors):
                 try:
                     self._open(plot)
                 except (PageError, TypeNotYetKnownError) as error:
