@@ -13,7 +13,7 @@ from tests.conftest import Program
 # of the main thread goes on.
 ON_ANOTHER_THREAD = """
 import signal, threading
-from tfloom.cli.shared.ctrl_c import wait_for_ctrl_c
+from tfloom.cli.shared.errors import wait_for_ctrl_c
 threading.Thread(target=threading.Event().wait, daemon=True).start()
 signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
 try:

@@ -17,24 +17,36 @@ from tests.conftest import run_to_end
 from tests.each import for_each
 
 from tfloom.cli import main as cli
-from tfloom.cli.parser import Group, VerbParser, command_module
+from tfloom.cli.parser import Group, VerbCode, VerbParser, command_module
 
 
-def verb_modules() -> list[str]:
-    modules = []
+def code_of(word: str, verb: str = "") -> VerbCode:
+    command = cli.COMMANDS[word]
+    return command.code_of(word, verb) if isinstance(command, Group) else VerbCode(command_module(word))
+
+
+def all_code() -> list[VerbCode]:
+    return [
+        code_of(word, verb)
+        for word, command in cli.COMMANDS.items()
+        for verb in (command.verbs if isinstance(command, Group) else [""])
+    ]
+
+
+@for_each(all_code())
+def test_each_verb_of_the_table_has_both_functions(code: VerbCode) -> None:
+    add_arguments, main = code.load()
+    assert callable(add_arguments)
+    assert callable(main)
+
+
+def test_all_functions_of_a_file_of_verbs_are_those_of_verbs_in_the_table() -> None:
     for word, command in cli.COMMANDS.items():
-        if isinstance(command, Group):
-            modules += [f"tfloom.cli.{word}.{verb}" for verb in command.verbs]
-        else:
-            modules.append(command_module(word))
-    return modules
-
-
-@for_each(verb_modules())
-def test_each_verb_of_the_table_has_a_file_with_both_functions(module: str) -> None:
-    verb = import_module(module)
-    assert callable(verb.add_arguments)
-    assert callable(verb.main)
+        if isinstance(command, Group) and command.file:
+            names = vars(import_module(f"tfloom.cli.{command.file}"))
+            verbs = {name.removesuffix("_main") for name in names if name.endswith("_main")}
+            assert verbs == set(command.verbs) - set(command.own_files), word
+            assert set(command.own_files) <= set(command.verbs), word
 
 
 def test_commands_page_lists_exactly_the_verbs() -> None:
@@ -61,9 +73,9 @@ def test_flags_on_the_commands_page_exist(word: str) -> None:
     page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
     asked = re.findall(rf"`(?:ros2 )?{word} ?(\w*)[^`]*?(--[\w-]+)", page)
     for verb, flag in asked:
-        module = import_module(f"tfloom.cli.{word}.{verb}" if verb else command_module(word))
+        add_arguments, _ = code_of(word, verb).load()
         parser = VerbParser()
-        module.add_arguments(parser)
+        add_arguments(parser)
         assert flag in parser.flags(), (word, verb, flag)
 
 
@@ -122,7 +134,7 @@ def test_ctrl_c_ends_without_output(
     def interrupted(_: object) -> int:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("tfloom.cli.node.list.main", interrupted)
+    monkeypatch.setattr("tfloom.cli.node.list_main", interrupted)
     assert cli.main(["node", "list", "--no-daemon"]) == signal.SIGINT
     assert capfd.readouterr() == ("", "")
 

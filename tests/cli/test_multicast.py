@@ -12,7 +12,7 @@ import pytest
 import transcript
 from tests.conftest import hold_domain
 
-from tfloom.cli.multicast.datagrams import interface
+from tfloom.cli.multicast import interface
 
 
 @pytest.fixture

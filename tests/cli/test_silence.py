@@ -11,14 +11,14 @@ import pytest
 import transcript
 from tests.conftest import Program
 
-from tfloom.cli.lifecycle import lifecycle_services
+from tfloom.cli import lifecycle
 from tfloom.cli.param import parameter_services
 
 HERE = Path(__file__).parent
 
 
 def test_default_waits_have_their_values() -> None:
-    assert (parameter_services.TIMEOUT_S, lifecycle_services.TIMEOUT_S) == (5.0, 10.0)
+    assert (parameter_services.TIMEOUT_S, lifecycle.TIMEOUT_S) == (5.0, 10.0)
 
 
 @pytest.fixture(scope="module")
@@ -30,7 +30,7 @@ def silent_node(module_domain_id: int, start_module_program: Callable[..., Progr
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Shorten the waits for responses."""
     monkeypatch.setattr(parameter_services, "TIMEOUT_S", 2.0)
-    monkeypatch.setattr(lifecycle_services, "TIMEOUT_S", 2.5)
+    monkeypatch.setattr(lifecycle, "TIMEOUT_S", 2.5)
 
 
 @pytest.mark.usefixtures("silent_node", "quick")

@@ -29,7 +29,7 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="a process signals it
 
 
 @pytest.mark.parametrize("start", COMMANDS)
-@pytest.mark.parametrize("module", ["tfloom.cli.main", "tfloom.cli.parser", "tfloom.cli.topic.list"])
+@pytest.mark.parametrize("module", ["tfloom.cli.main", "tfloom.cli.parser", "tfloom.cli.topic.queries"])
 def test_ctrl_c_during_an_import_prints_nothing(start: str, module: str) -> None:
     code = INTERRUPTED_IMPORT.format(start=start, module=module)
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60, check=False)
@@ -58,7 +58,7 @@ def test_error_that_python_makes_of_an_interrupt_is_one(monkeypatch: pytest.Monk
     def made(_: object) -> int:
         raise RuntimeError("Error calling __set_name__") from KeyboardInterrupt()
 
-    monkeypatch.setattr("tfloom.cli.topic.list.main", made)
+    monkeypatch.setattr("tfloom.cli.topic.queries.list_main", made)
     assert main.main(["topic", "list"]) == INTERRUPTED
 
 

@@ -81,7 +81,7 @@ def test_reference_s_classes_that_programs_import_are_there(module: str) -> None
         cls = getattr(import_module(module), name, None)
         if name.endswith("Verb") and cls is not None:
             assert issubclass(cls, VerbExtension)
-            assert import_module(cls.MODULE).main
+            assert callable(cls.CODE.load()[1])
 
 
 @pytest.mark.parametrize("module", sorted({*verb_classes(), "ros2component.verb.types"} - SEEN_IN_PROGRAMS))
@@ -99,11 +99,12 @@ def test_import_of_another_verb_s_class_names_what_to_do_instead(module: str) ->
 
 def test_each_class_has_the_summary_of_its_verb() -> None:
     for cls in vars(verbs).values():
-        if not (isinstance(cls, type) and "MODULE" in vars(cls)):
+        if not (isinstance(cls, type) and "CODE" in vars(cls)):
             continue
-        _, _, command, verb = cls.MODULE.split(".")
+        command = cls.CODE.module.split(".")[2]
         group = COMMANDS[command]
         assert isinstance(group, Group)
+        (verb,) = (verb for verb in group.verbs if group.code_of(command, verb) == cls.CODE)
         assert inspect.getdoc(cls) == f"{group.verbs[verb]}."
 
 

@@ -98,11 +98,11 @@ import sys
 from types import ModuleType
 from tfloom.cli import main as cli
 from tfloom.cli.shared.errors import CommandError
-import tfloom.cli.topic.list as verb
+import tfloom.cli.topic.queries as verb
 def main(args):
     print({HOSTILE!r})
     raise CommandError({HOSTILE!r})
-verb.main = main
+verb.list_main = main
 sys.argv = ["tfloom", "topic", "list"]
 sys.exit(cli.main())
 """

@@ -9,5 +9,6 @@
 - parser, completion, tab_key: arguments, and their completion
 - verb_classes/: the verbs as classes for programs, as ros2topic.verb.echo.EchoVerb
 
-Each verb is a file, imported when it is called; those of a group, as `topic`, are in its folder.
+The code of a verb is imported when it is called. Those of a group, as `node`, share a file, or are in its folder: the
+short ones in `queries`, each other in a file of its name. The table of `main` says which.
 """

@@ -84,14 +84,14 @@ def _type_of_service(args: argparse.Namespace) -> list[str]:
 
 
 def _actions(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli.action.action_ends import settled_ends
+    from tfloom.cli.shared.action_ends import settled_ends
 
     return sorted({end.name for end in settled_ends()})
 
 
 def _type_of_action(args: argparse.Namespace) -> list[str]:
     """Return the type of the action; all actions if there is no such action."""
-    from tfloom.cli.action.action_ends import settled_ends
+    from tfloom.cli.shared.action_ends import settled_ends
 
     types = {end.type_name for end in settled_ends() if end.name == args.action_name}
     return sorted(types) or known_interfaces("action")
@@ -121,7 +121,7 @@ def _parameters(args: argparse.Namespace) -> list[str]:
 
 
 def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli.lifecycle.lifecycle_services import lifecycle_nodes
+    from tfloom.cli.lifecycle import lifecycle_nodes
     from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
@@ -129,7 +129,7 @@ def _lifecycle_nodes(_: argparse.Namespace) -> list[str]:
 
 
 def _containers(_: argparse.Namespace) -> list[str]:
-    from tfloom.cli.component.containers import container_names
+    from tfloom.cli.component import container_names
     from tfloom.cli.shared import graph
 
     with graph.settled_graph(MAX_WAIT_S) as found:
@@ -138,7 +138,7 @@ def _containers(_: argparse.Namespace) -> list[str]:
 
 def _components(args: argparse.Namespace) -> list[str]:
     """Return the ids of the components in the container."""
-    from tfloom.cli.component.containers import containers
+    from tfloom.cli.component import containers
 
     with containers(argparse.Namespace(spin_time=MAX_WAIT_S), args.container_node_name) as (container,):
         return [str(unique_id) for unique_id in container.components()]
@@ -146,7 +146,7 @@ def _components(args: argparse.Namespace) -> list[str]:
 
 def _transitions(args: argparse.Namespace) -> list[str]:
     """Return the transitions that are available on the node."""
-    from tfloom.cli.lifecycle.lifecycle_services import lifecycles
+    from tfloom.cli.lifecycle import lifecycles
 
     asked = argparse.Namespace(spin_time=MAX_WAIT_S, include_hidden_nodes=True)
     with lifecycles(asked, args.node_name) as nodes:

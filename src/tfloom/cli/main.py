@@ -1,6 +1,6 @@
 """The table of verbs, and the function `main`, which runs a command line.
 
-Each verb is a file with `add_arguments(parser)` and `main(args) -> int`, imported when it is called.
+Each verb is two functions, one that adds its arguments and one that runs it, whose file is imported when it is called.
 """
 
 from __future__ import annotations
@@ -27,6 +27,8 @@ COMMANDS: dict[str, str | Group] = {
             "send_goal": "Send a goal to an action server and print its result",
             "type": "Print an action's type",
         },
+        file="action.queries",
+        own_files=("send_goal",),
     ),
     "bag": Group(
         "Various rosbag related sub-commands",
@@ -49,6 +51,7 @@ COMMANDS: dict[str, str | Group] = {
             "types": "Explain that components need C++",
             "unload": "Unload components from a container",
         },
+        file="component",
     ),
     "daemon": Group(
         "Explain that there is no daemon, and that none is needed",
@@ -57,6 +60,7 @@ COMMANDS: dict[str, str | Group] = {
             "status": "Explain that there is no daemon with a status",
             "stop": "Explain that there is no daemon to stop",
         },
+        file="daemon",
     ),
     "demo": "Demonstrate turtlesim and tf2, or a robot that maps its room",
     "doctor": "Check the requirements of programs to run and to discover one another",
@@ -71,6 +75,7 @@ COMMANDS: dict[str, str | Group] = {
             "stubs": "Write typed modules for editors, of a workspace's packages with definitions",
         },
         aliases=("interfaces",),
+        file="interface",
     ),
     "launch": "Launch a file of programs",
     "lifecycle": Group(
@@ -81,6 +86,7 @@ COMMANDS: dict[str, str | Group] = {
             "nodes": "List the nodes that have a lifecycle",
             "set": "Request a transition of a lifecycle node",
         },
+        file="lifecycle",
     ),
     "multicast": Group(
         "Test multicast",
@@ -88,6 +94,7 @@ COMMANDS: dict[str, str | Group] = {
             "receive": "Wait for one UDP multicast datagram",
             "send": "Send one UDP multicast datagram",
         },
+        file="multicast",
     ),
     "node": Group(
         "Inspect nodes",
@@ -95,6 +102,7 @@ COMMANDS: dict[str, str | Group] = {
             "info": "Print what a node publishes, subscribes to, serves and calls",
             "list": "List the nodes that are running",
         },
+        file="node",
     ),
     "param": Group(
         "Read and change the parameters of nodes",
@@ -117,6 +125,8 @@ COMMANDS: dict[str, str | Group] = {
             "prefix": "Print where a package is installed",
             "xml": "Print a package's package.xml, or a tag of it",
         },
+        file="pkg.queries",
+        own_files=("create",),
     ),
     "run": "Run a program of a package",
     "security": "Explain that SROS 2 is not there, and what protects instead",
@@ -131,6 +141,8 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print a service's type",
         },
         hidden="services",
+        file="service.queries",
+        own_files=("call", "echo"),
     ),
     "tf": Group(
         "Check, explain and compare transforms, and keep static ones in files",
@@ -158,6 +170,8 @@ COMMANDS: dict[str, str | Group] = {
             "type": "Print a topic's type",
         },
         hidden="topics",
+        file="topic.queries",
+        own_files=("bw", "delay", "echo", "hz", "pub"),
     ),
     "view": "Show frames, robots and sensors in a browser",
     "zenoh": Group(
@@ -165,6 +179,7 @@ COMMANDS: dict[str, str | Group] = {
         {
             "router": "Run a router, at which programs meet, until Ctrl-C",
         },
+        file="zenoh",
     ),
 }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import partial
 from importlib import import_module
 from typing import Any, NamedTuple, NoReturn, TypeAlias
@@ -17,11 +17,37 @@ class Group(NamedTuple):
     summary: str
     """One line for `--help`."""
     verbs: Mapping[str, str]
-    """One line for each verb; the verb's code is `tfloom.cli.<group>.<verb>`."""
+    """One line for each verb."""
     hidden: str = ""
     """The `<hidden>` of its flag `--include-hidden-<hidden>`; empty: it has no such flag."""
     aliases: Sequence[str] = ()
     """Other words for it."""
+    file: str = ""
+    """The module below `tfloom.cli` that its verbs share; empty: each has its own in the group's folder."""
+    own_files: Collection[str] = ()
+    """The verbs that don't share it, because they load more than the others."""
+
+    def code_of(self, word: str, verb: str) -> VerbCode:
+        """Return where the code of a verb is, given the group's word."""
+        if self.file and verb not in self.own_files:
+            return VerbCode(f"tfloom.cli.{self.file}", verb)
+        return VerbCode(f"tfloom.cli.{word}.{verb}")
+
+
+class VerbCode(NamedTuple):
+    """Where the two functions of a verb are: `add_arguments(parser)`, and `main(args) -> int`."""
+
+    module: str
+    """Imported when the verb is called."""
+    verb: str = ""
+    """In a module of several verbs the functions are `add_<verb>_arguments` and `<verb>_main`; empty: it has one."""
+
+    def load(self) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
+        """Import the module, and return the function that adds the arguments, and the one that runs the verb."""
+        module = import_module(self.module)
+        if self.verb:
+            return getattr(module, f"add_{self.verb}_arguments"), getattr(module, f"{self.verb}_main")
+        return module.add_arguments, module.main
 
 
 AddExtensions: TypeAlias = "Callable[[VerbParser, Any, str], Callable[[], None]]"
@@ -38,7 +64,7 @@ One that asks for the terminal's width imports shutil and its compression, a twe
 class VerbParser(argparse.ArgumentParser):
     """A parser for one word of the command line, which adds its arguments or verbs when it parses.
 
-    A verb's `module` is imported then, and adds the arguments. For a `group`, a parser for each of its verbs is
+    A verb's `code` is imported then, and adds the arguments. For a `group`, a parser for each of its verbs is
     created then, because parsers for all verbs of all groups would lengthen the start by a half. For an extension,
     `fill_extension` is called then, with this parser.
     """
@@ -46,14 +72,14 @@ class VerbParser(argparse.ArgumentParser):
     def __init__(
         self,
         *args: Any,
-        module: str = "",
+        code: VerbCode | None = None,
         group: Group | None = None,
         fill_extension: Callable[[VerbParser], None] | None = None,
         add_extensions: AddExtensions | None = None,
         **options: Any,
     ) -> None:
         super().__init__(*args, **{"formatter_class": _UNSIZED, **options})
-        self._module = module
+        self._code = code
         self._group = group
         self._fill_extension = fill_extension
         self._words: dict[str, VerbParser] = {}
@@ -128,13 +154,12 @@ class VerbParser(argparse.ArgumentParser):
         if self._fill_extension is not None:
             fill_extension, self._fill_extension = self._fill_extension, None
             fill_extension(self)
-        if self._module:
-            verb = import_module(self._module)
-            self._module = ""
-            verb.add_arguments(self)
-            self.set_defaults(run_verb=verb.main, verb_parser=self)
-            self._hint_after_error = getattr(verb, "hint_after_error", None)
-            self.description = self.description or verb.__doc__
+        if self._code is not None:
+            code, self._code = self._code, None
+            add_arguments, main = code.load()
+            add_arguments(self)
+            self.set_defaults(run_verb=main, verb_parser=self)
+            self._hint_after_error = getattr(import_module(code.module), "hint_after_error", None)
 
     def parse_args(  # type: ignore[override]
         self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
@@ -210,7 +235,10 @@ def build_parser(
     for word, command in commands.items():
         if isinstance(command, str):
             summary = command
-            options: dict[str, Any] = {"aliases": VERB_ALIASES.get(word, ()), "module": command_module(word)}
+            options: dict[str, Any] = {
+                "aliases": VERB_ALIASES.get(word, ()),
+                "code": VerbCode(command_module(word)),
+            }
         else:
             summary = command.summary
             options = {"aliases": command.aliases, "group": command, "add_extensions": add_extensions}
@@ -238,7 +266,7 @@ def _fill_group(parser: VerbParser, group: Group) -> None:
             help=summary,
             description=summary,
             prog=f"{parser.prog} {verb}",
-            module=f"tfloom.cli.{word}.{verb}",
+            code=group.code_of(word, verb),
         )
 
 

@@ -52,7 +52,7 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "joint_state_publisher_gui": "tfloom.cli.joint_state_publisher_gui:run",
     },
     "rmw_zenoh_cpp": {
-        "rmw_zenohd": "tfloom.cli.zenoh.router:run_daemon",
+        "rmw_zenohd": "tfloom.cli.zenoh:run_daemon",
     },
     "robot_state_publisher": {
         "robot_state_publisher": "tfloom.robot.robot_state_publisher:main",

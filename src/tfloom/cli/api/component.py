@@ -7,8 +7,16 @@ from typing import Any, NamedTuple
 
 from tfloom.cli.api.answers import TIMEOUT_S, Call, call_services
 from tfloom.cli.api.node import NodeName, get_node_names
-from tfloom.cli.component.containers import LIST, LOAD, SERVICES, UNLOAD, is_container
-from tfloom.cli.component.load import add_component_arguments, log_level_number, parameters_of
+from tfloom.cli.component import (
+    LIST,
+    LOAD,
+    SERVICES,
+    UNLOAD,
+    add_component_arguments,
+    is_container,
+    log_level_number,
+    parameters_of,
+)
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import full_name

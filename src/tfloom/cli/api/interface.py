@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tfloom.cli.interface.proto import class_to_send
+from tfloom.cli.interface import class_to_send
 from tfloom.rosidl.yaml_text import message_to_yaml
 from tfloom.workspace.interfaces import interface_packages, known_interfaces
 

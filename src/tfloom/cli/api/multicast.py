@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from tfloom.cli.multicast.datagrams import GROUP, PORT
-from tfloom.cli.multicast.receive import receive
-from tfloom.cli.multicast.send import send
+from tfloom.cli.multicast import GROUP, PORT, receive, send
 
 __all__ = ["DEFAULT_GROUP", "DEFAULT_PORT", "receive", "send"]
 

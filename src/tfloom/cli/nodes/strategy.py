@@ -1,4 +1,4 @@
-"""The node that verbs query the graph with."""
+"""The node that verbs query the graph with, and the daemon, which is not there."""
 
 from __future__ import annotations
 
@@ -6,14 +6,43 @@ import argparse
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from tfloom.cli.nodes import daemon, direct
+from tfloom.cli.nodes import direct
 from tfloom.cli.nodes.direct import DirectNode
 from tfloom.node.node import Node
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-__all__ = ["GraphNode", "NodeStrategy", "add_arguments", "node_of"]
+__all__ = [
+    "GraphNode",
+    "NodeStrategy",
+    "add_arguments",
+    "add_daemon_arguments",
+    "is_daemon_running",
+    "node_of",
+    "shutdown_daemon",
+    "spawn_daemon",
+]
+
+
+def add_daemon_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the flag for an answer without the daemon, which has no effect."""
+    parser.add_argument("--no-daemon", action="store_true", help="accepted and not used: there is no daemon")
+
+
+def is_daemon_running(args: Any) -> bool:
+    """Return whether a daemon runs: False."""
+    return False
+
+
+def spawn_daemon(args: Any, timeout: float | None = None, debug: bool = False) -> bool:
+    """Return whether this call started a daemon: False."""
+    return False
+
+
+def shutdown_daemon(args: Any, timeout: float | None = None) -> bool:
+    """Return whether this call ended a daemon: False."""
+    return False
 
 
 class NodeStrategy:
@@ -69,4 +98,4 @@ def node_of(node: GraphNode) -> Node:
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the flags that `NodeStrategy` reads."""
     direct.add_arguments(parser)
-    daemon.add_arguments(parser)
+    add_daemon_arguments(parser)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import re
 
-from tfloom.cli.service.service_ends import service_types
+from tfloom.cli.service.queries import service_types
 from tfloom.cli.shared import graph, message_text
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.interfaces import service_class

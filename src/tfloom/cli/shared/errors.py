@@ -1,11 +1,12 @@
-"""Errors that end a command with a message instead of a traceback."""
+"""The ends of a command: errors with a message instead of a traceback, and Ctrl-C."""
 
 from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Sequence
-from typing import TextIO
+from typing import NoReturn, TextIO
 
 
 class CommandError(Exception):
@@ -32,3 +33,19 @@ def refuse_bytes(words: Sequence[str]) -> None:
     for word in words:
         if any("\ud800" <= letter <= "\udfff" for letter in word):
             raise CommandError(f"the argument {os.fsencode(word)!r} isn't text in this terminal's encoding")
+
+
+LOOK_S = 0.25
+"""How late Ctrl-C may be noticed [s]."""
+
+
+def wait_for_ctrl_c() -> NoReturn:
+    """Wait on the main thread until the handler of a signal raises.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C.
+    """
+    while True:
+        # Python runs handlers between two steps of the main thread. A wait without an end would miss a signal that
+        # comes just before it, or on another thread: only one that comes within it, on this thread, ends it.
+        time.sleep(LOOK_S)

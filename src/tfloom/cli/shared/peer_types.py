@@ -35,7 +35,7 @@ def types_on_graph(found: Graph, kind: str) -> set[str]:
         return {end.topic.type_name for end in found.endpoints()}
     if kind == "srv":
         return {end.type_name for end in found.service_ends()}
-    from tfloom.cli.action.action_ends import action_ends
+    from tfloom.cli.shared.action_ends import action_ends
 
     return {end.type_name for end in action_ends(found)}
 

@@ -7,8 +7,7 @@ import re
 from pathlib import Path
 
 from tfloom.cli.shared import graph
-from tfloom.cli.shared.ctrl_c import wait_for_ctrl_c
-from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.errors import CommandError, wait_for_ctrl_c
 from tfloom.cli.shared.listen import shown_node
 from tfloom.cli.shared.names import full_topic_name, named_node
 from tfloom.tf2_tools.text.words import counted

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from importlib import import_module
 from typing import Any, ClassVar
 
+from tfloom.cli.parser import VerbCode
 from tfloom.cli.plugins.extensions import VerbExtension
 from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
@@ -26,17 +26,17 @@ class BuiltinVerb(VerbExtension):
     The verb's code is in functions: to override a private method of a class of the reference has no effect here.
     """
 
-    MODULE: ClassVar[str]
-    """The module with the verb's `add_arguments` and `main`, which is imported when one of them is called."""
+    CODE: ClassVar[VerbCode]
+    """Where the verb's two functions are, whose module is imported when one of them is called."""
 
-    def __init_subclass__(cls, *, module: str = "") -> None:
+    def __init_subclass__(cls, *, module: str = "", verb: str = "") -> None:
         super().__init_subclass__()
         if module:  # of a verb of ours; a derived class has that of its base
-            cls.MODULE = module
+            cls.CODE = VerbCode(module, verb)
 
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
         """Add the verb's arguments to a parser."""
-        import_module(self.MODULE).add_arguments(parser)
+        self.CODE.load()[0](parser)
 
     def main(self, *, args: argparse.Namespace) -> int | str | None:
         """Run the verb; return its exit code, None for 0, or the text of an error.
@@ -45,13 +45,13 @@ class BuiltinVerb(VerbExtension):
             args: What a parser with the verb's arguments has read. An optional argument that it lacks has its default.
         """
         parser = argparse.ArgumentParser(add_help=False)
-        verb = import_module(self.MODULE)
-        verb.add_arguments(parser)
+        add_arguments, run = self.CODE.load()
+        add_arguments(parser)
         optional = {action.dest: action.default for action in parser._actions if not action.required}
         optional |= parser._defaults  # argparse has no other way to ask for what a parser gives
         complete = argparse.Namespace(**{**_OF_COMMANDS, **optional, **vars(args)})
         try:
-            code: int | None = verb.main(complete)
+            code: int | None = run(complete)
         except CommandError as error:
             if error.exit_code == 1:
                 return str(error)

@@ -35,11 +35,11 @@ class HzVerb(BuiltinVerb, module="tfloom.cli.topic.hz"):
     """Print the rate of a topic's messages."""
 
 
-class InfoVerb(BuiltinVerb, module="tfloom.cli.topic.info"):
+class InfoVerb(BuiltinVerb, module="tfloom.cli.topic.queries", verb="info"):
     """Print a topic's type, publishers and subscriptions."""
 
 
-class ListVerb(BuiltinVerb, module="tfloom.cli.topic.list"):
+class ListVerb(BuiltinVerb, module="tfloom.cli.topic.queries", verb="list"):
     """List the topics."""
 
 

@@ -1,4 +1,4 @@
-"""Run a router, at which the programs of the Zenoh wire meet, until Ctrl-C."""
+"""`zenoh`: the router, at which the programs of the Zenoh wire meet."""
 
 from __future__ import annotations
 
@@ -7,15 +7,14 @@ import sys
 import time
 from typing import Any, NoReturn
 
-from tfloom.cli.shared.ctrl_c import LOOK_S, wait_for_ctrl_c
-from tfloom.cli.shared.errors import CommandError
+from tfloom.cli.shared.errors import LOOK_S, CommandError, wait_for_ctrl_c
 from tfloom.common.terminal import report
 
 NO_LINK_S = 3.0
 """How long a link to another router may be missing before a message says so [s]."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def add_router_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `zenoh router`."""
     parser.add_argument(
         "-c", "--config", metavar="FILE", help="a JSON5 file, in place of that of ZENOH_ROUTER_CONFIG_URI"
@@ -36,7 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def main(args: argparse.Namespace) -> int:
+def router_main(args: argparse.Namespace) -> int:
     """Route until Ctrl-C; return the exit code."""
     import os
 
@@ -103,5 +102,5 @@ def run_daemon(args: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(
         prog="rmw_zenohd", description="Route between the programs of the Zenoh wire."
     )
-    add_arguments(parser)
-    return main(parser.parse_args(remove_ros_args(sys.argv[1:] if args is None else args)))
+    add_router_arguments(parser)
+    return router_main(parser.parse_args(remove_ros_args(sys.argv[1:] if args is None else args)))

@@ -1,4 +1,4 @@
-"""Print what a node publishes, subscribes to, serves and calls."""
+"""`node`: inspect nodes."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from collections.abc import Iterable
 
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.errors import CommandError
-from tfloom.cli.shared.listing import print_json
-from tfloom.cli.shared.names import find_full_name
+from tfloom.cli.shared.listing import print_json, print_names
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph, NodeName
 
@@ -16,7 +15,7 @@ ACTION_SUFFIX = "/_action/send_goal"
 ACTION_TYPE_SUFFIX = "_SendGoal"
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
+def add_info_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `node info`."""
     graph.add_arguments(parser)
     parser.add_argument("node_name", help="full name of the node, for example /turtlesim")
@@ -28,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON for programs")
 
 
-def main(args: argparse.Namespace) -> int:
+def info_main(args: argparse.Namespace) -> int:
     """Print the node's topics, services and actions with their types."""
     with graph.settled_graph(args.spin_time) as found:
         node = find_node(found, args.node_name)
@@ -59,6 +58,8 @@ def find_node(found: Graph, name: str) -> NodeName:
     Raises:
         CommandError: there is none; the text has the nearest names.
     """
+    from tfloom.cli.shared.names import find_full_name
+
     nodes = {node.full: node for node in found.nodes()}
     return nodes[find_full_name(name, nodes, f"Unable to find node '{name}'")]
 
@@ -90,3 +91,28 @@ def _types(ends: Iterable[tuple[bool, str, str]], side: bool, hidden: bool) -> d
         for of_side, name, type_name in ends
         if of_side == side and (hidden or not graph.is_hidden(name))
     )
+
+
+def add_list_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `node list`."""
+    graph.add_arguments(parser)
+    parser.add_argument(
+        "-a", "--all", action="store_true", help="show nodes whose name begins with an underscore, too"
+    )
+    parser.add_argument("-c", "--count-nodes", action="store_true", help="show only the number")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def list_main(args: argparse.Namespace) -> int:
+    """Print the nodes' full names in order."""
+    with graph.settled_graph(args.spin_time) as found:
+        names = [node.full for node in found.nodes()]
+    if not args.all:
+        names = [name for name in names if not graph.is_hidden(name)]
+    if len(set(names)) < len(names) and not args.count_nodes:
+        report(
+            "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+            "which can have unintended side effects."
+        )
+    print_names(names, as_json=args.json, only_count=args.count_nodes)
+    return 0

@@ -1,1 +1,0 @@
-"""`component`: the nodes that containers hold."""

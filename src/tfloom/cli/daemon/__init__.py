@@ -1,1 +1,0 @@
-"""`daemon`: the verbs explain that there is none."""

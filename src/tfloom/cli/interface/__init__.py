@@ -1,1 +1,0 @@
-"""`interface`: definitions of messages, services and actions."""

@@ -1,1 +1,0 @@
-"""`lifecycle`: states and transitions of lifecycle nodes."""

@@ -1,1 +1,0 @@
-"""`multicast`: test multicast."""

@@ -1,1 +1,0 @@
-"""`zenoh`: the router of the Zenoh wire."""
