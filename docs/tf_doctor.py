@@ -8,8 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from tfloom.cli.tf.doctor import LIMIT_OPTIONS
-from tfloom.tf2_tools.diagnosis.catalogue import GROUPS, KINDS, Kind
-from tfloom.tf2_tools.diagnosis.limits import GAP_PERIODS, MAX_SPIN_DEG_S, Limits
+from tfloom.tf2_tools.diagnosis.catalogue import GAP_PERIODS, GROUPS, KINDS, MAX_SPIN_DEG_S, Kind, Limits
 from tfloom.tf2_tools.diagnosis.value_checks import SUDDEN
 
 PAGE = Path(__file__).with_suffix(".md")

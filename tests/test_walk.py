@@ -19,7 +19,7 @@ from tfloom.tf2.buffer import LATEST
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.tf2_ros.transform_listener import TransformListener
-from tfloom.tf2_tools.text.transform import transform_text
+from tfloom.tf2_tools.text import transform_text
 from tfloom.turtlesim.node import TurtlesimNode
 from tfloom.turtlesim.teleop_key import TeleopTurtle
 

@@ -16,7 +16,7 @@ from tfloom._native import Chunk
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import read_metadata
 from tfloom.bag.recording import recorder as recorder_module
-from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorded_topics import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.recording.recorder_services import answers_of
 from tfloom.bag.topic_choice import TopicChoice

@@ -32,10 +32,9 @@ from tfloom.bag.reindexing import reindex
 from tfloom.bag.rosbag2_names.storage import ConverterOptions, StorageOptions, TopicMetadata
 from tfloom.bag.rosbag2_names.writers import SequentialWriter
 from tfloom.bag.writing import bag_writer, compression, mcap_records, sqlite_file, storage
-from tfloom.bag.writing.bag_writer import BagWriter, State, WriterSettings
+from tfloom.bag.writing.bag_writer import BagWriter, State, WriterSettings, open_storage_file
 from tfloom.bag.writing.sqlite_file import SqliteFile
 from tfloom.bag.writing.storage import StorageSettings
-from tfloom.bag.writing.storage_files import open_storage_file
 
 STORAGES = ("mcap", "sqlite3")
 

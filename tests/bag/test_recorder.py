@@ -18,7 +18,7 @@ from tfloom.bag.errors import BagError
 from tfloom.bag.qos_profiles import adapted, parse_profiles, profiles_text, read_overrides, warnings_of
 from tfloom.bag.recording import recorded_topics, run
 from tfloom.bag.recording import recorder as recorder_module
-from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorded_topics import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.values import Definition

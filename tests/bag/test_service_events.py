@@ -10,7 +10,7 @@ from typing import Any
 from tfloom.bag import open_bag
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
-from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorded_topics import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings

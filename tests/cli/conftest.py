@@ -15,7 +15,7 @@ from tfloom.node.context.context import Context
 from tfloom.node.node import Node
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 from tfloom.workspace import index

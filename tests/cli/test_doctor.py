@@ -19,7 +19,7 @@ from tfloom.interfaces.std_msgs.msg import Empty
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 
 LO, ETH0, TUN0 = Interface("lo", 0x9), Interface("eth0", 0x1003), Interface("tun0", 0x1)
 

@@ -16,7 +16,7 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 
 pytestmark = NEEDS_ZENOH
 OTHER_HASH = "RIHS01_" + 64 * "2"

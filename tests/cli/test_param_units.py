@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from tfloom.cli.param.describe import description_lines
 from tfloom.cli.param.dump import nested
+from tfloom.cli.param.queries import description_lines
 from tfloom.interfaces.rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 
 

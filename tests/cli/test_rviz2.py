@@ -13,7 +13,7 @@ import pytest
 import transcript
 from tests.conftest import Program, wait_until
 
-from tfloom.cli import rqt, rviz2, view
+from tfloom.cli import page_programs, rqt, view
 from tfloom.node.node import Node
 from tfloom.rosidl.class_search import find_class
 from tfloom.viewer.extra import is_installed
@@ -119,8 +119,8 @@ def test_broken_file_is_one_sentence_with_its_line(
 def test_without_the_extra_the_sentence_has_pips_line(
     config: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(rviz2, "is_installed", lambda: False)
-    assert rviz2.run(["-d", str(config)]) == 1
+    monkeypatch.setattr(page_programs, "is_installed", lambda: False)
+    assert page_programs.run_rviz2(["-d", str(config)]) == 1
     written = capsys.readouterr()
     assert written.out == ""
     assert written.err.count("\n") == 1

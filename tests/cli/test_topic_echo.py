@@ -21,7 +21,7 @@ from tfloom.interfaces.turtlesim.msg import Pose
 from tfloom.rmw.base import NodeName, Sample
 from tfloom.rmw.events import Count, Event
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 POSE = "{x: 5.544444561004639, y: 5.544444561004639}"

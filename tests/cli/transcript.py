@@ -19,7 +19,7 @@ from tests.conftest import python_with
 
 from tfloom.cli.main import main
 from tfloom.cli.shared.graph import MISSING
-from tfloom.launch.descriptions import executable
+from tfloom.launch.actions import executable
 from tfloom.launch.logs import logging as launch_logging
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"

@@ -44,7 +44,7 @@ from tfloom.launch.testing.markers import retry_on_failure
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.testing.process import ProcessProxy
 from tfloom.launch.testing.readiness import ready_to_test_action_timeout
-from tfloom.launch.testing.ros.wait_for_topics import WaitForTopics
+from tfloom.launch.testing.ros.topics import WaitForTopics
 from tfloom.node import client_library
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer

@@ -13,7 +13,7 @@ import pytest
 
 import tfloom
 from tfloom.common.xml import MAX_TREE, guard_minidom, read_tree
-from tfloom.launch.xml.elements import XmlError, read_elements
+from tfloom.launch.files.xml_file import XmlError, read_elements
 from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.xml_elements import read_xml
 

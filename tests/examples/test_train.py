@@ -17,7 +17,7 @@ from tests.launch.ros.conftest import SHOW, make_package
 from tests.launch.ros.user import User, expect_clean_end, is_running, pids_of
 
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
-from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
+from tfloom.launch.files.sources import AnyLaunchDescriptionSource
 
 SOURCE = Path(__file__).parents[2] / "examples" / "workspace" / "src"
 LAUNCH = SOURCE / "train_bringup" / "launch"

@@ -17,7 +17,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "OpaqueCoroutine.__init__(coroutine)": "opaque coroutine",
         "OpaqueFunction.__init__(function)": "opaque function",
     },
-    "launch.core.condition": {
+    "launch.core.base_classes": {
         "Condition.__init__(predicate)": "condition",
     },
     "launch.entities.event_handler": {
@@ -40,10 +40,10 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "ProcessTargetedEvent.__init__(process_matcher)": "signal",
         "SignalProcess.__init__(process_matcher)": "signal",
     },
-    "launch.ros.event_handlers.on_state_transition": {
+    "launch.ros.actions.lifecycle_transition": {
         "OnStateTransition.__init__(matcher)": "state transition",
     },
-    "launch.ros.events.lifecycle_events": {
+    "launch.ros.lifecycle_events": {
         "ChangeState.__init__(lifecycle_node_matcher)": "matcher",
     },
     "launch.testing.assert_output": {
@@ -72,10 +72,8 @@ _BY_FILE: dict[str, dict[str, str]] = {
     "launch.testing.readiness": {
         "ReadyAggregator.__init__(callback)": OF_A_TEST,
     },
-    "launch.testing.ros.data_republisher": {
+    "launch.testing.ros.topics": {
         "DataRepublisher.__init__(transform_fn)": "subscription",
-    },
-    "launch.testing.ros.wait_for_topics": {
         "WaitForTopics.__init__(trigger)": OF_A_TEST,
     },
     "node.action.client": {

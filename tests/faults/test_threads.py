@@ -32,7 +32,7 @@ from tfloom.bag.errors import BagError
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
 from tfloom.bag.playing.read_ahead import ReadAhead
-from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorded_topics import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
@@ -41,7 +41,7 @@ from tfloom.demos import processes
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.launch.logs.background_writing import BackgroundWriting
 from tfloom.launch.ros.ros_adapters import ROSAdapter
-from tfloom.launch.testing.ros.message_pump import MessagePump
+from tfloom.launch.testing.ros.topics import MessagePump
 from tfloom.node.context.context import Context
 from tfloom.node.executing import signals
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
@@ -78,8 +78,7 @@ PLACES = {
     "launch/logs/background_writing.py": ["launch_output"],
     "launch/ros/actions/lifecycle_node.py": ["raised in the event handler, which ends the launch"],
     "launch/ros/ros_adapters.py": ["ros_adapter"],
-    "launch/testing/ros/message_pump.py": ["message_pump"],
-    "launch/testing/ros/wait_for_topics.py": ["raised to the test that waits"],
+    "launch/testing/ros/topics.py": ["message_pump", "raised to the test that waits"],
     "launch/testing/test_runner.py": [TOLD],
     "node/context/context.py": ["shutdown_hooks"],
     "node/executing/executors.py": ["pool"],

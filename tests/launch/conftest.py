@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import pytest
 
+from tfloom.launch.actions import executable
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.descriptions import executable
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.logs import logging as launch_logging

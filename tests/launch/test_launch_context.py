@@ -7,9 +7,9 @@ import os
 
 import pytest
 
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.entities.event_handler import EventHandler
 from tfloom.launch.utilities.argument_types import ensure_argument_type, is_a, is_a_subclass, isclassinstance
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

@@ -8,7 +8,7 @@ from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.log import LogInfo, LogWarning
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnProcessExit

@@ -18,7 +18,7 @@ from tfloom.launch.actions.event_actions import (
 )
 from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
 from tfloom.launch.actions.timer_action import TimerAction
-from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.base_classes import Condition
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action

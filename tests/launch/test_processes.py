@@ -19,14 +19,14 @@ import psutil
 import pytest
 
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler, Shutdown
+from tfloom.launch.actions.executable import Executable
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.timer_action import TimerAction
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
-from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.events.event_handlers import OnProcessExit, OnProcessIO, OnProcessStart
 from tfloom.launch.events.process import (
     ProcessExited,

@@ -17,7 +17,7 @@ from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.for_loop import ForEach, ForLoop
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.opaque import OpaqueCoroutine, OpaqueFunction
-from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.base_classes import Condition
 from tfloom.launch.core.event import Event
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import EventHandler
@@ -30,8 +30,8 @@ from tfloom.launch.events.event_handlers import (
     OnShutdown,
 )
 from tfloom.launch.events.process import ProcessExited, SignalProcess
-from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
-from tfloom.launch.ros.events.lifecycle_events import StateTransition
+from tfloom.launch.ros.actions.lifecycle_transition import OnStateTransition
+from tfloom.launch.ros.lifecycle_events import StateTransition
 
 Launch = Callable[..., Ran]
 TEXT = "of a user's function"

@@ -30,8 +30,8 @@ from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreade
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.values.exceptions import RCLError
-from tfloom.rmw.action_names import new_goal_id
 from tfloom.rmw.local import endpoints as local_endpoints
+from tfloom.rmw.typed_names import new_goal_id
 
 Finish = Callable[[Future[Any]], Any]
 

@@ -16,7 +16,7 @@ from tfloom.node.context.arguments import (
     warn_of_deprecated_remaps,
 )
 from tfloom.node.context.context import Context
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.scalars import parse_value
 

@@ -21,7 +21,7 @@ from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.log import logging, logging_filters
 from tfloom.node.log.log_file import LogFile
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.node import Node
 from tfloom.node.values.time import ClockType, Time

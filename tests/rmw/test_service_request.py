@@ -15,7 +15,7 @@ from tfloom.interfaces.std_srvs.srv import Trigger
 from tfloom.rmw.base import RequestId, Response
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
-from tfloom.rmw.shared.typed_names import service_of
+from tfloom.rmw.typed_names import service_of
 from tfloom.rosidl import cdr
 
 CLIENT, SERVER = NODES

@@ -15,8 +15,8 @@ import psutil
 import pytest
 from tests.conftest import has_ended, wait_until
 
+from tfloom.launch.core.base_classes import SubstitutionFailure
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SubstitutionFailure
 from tfloom.launch.substitutions.command import Command
 from tfloom.launch.substitutions.find_executable import FindExecutable
 from tfloom.robot import xacro_program

@@ -27,7 +27,7 @@ from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.node.node import Node
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
-from tfloom.tf2_tools.text.transform import transform_text
+from tfloom.tf2_tools.text import transform_text
 from tfloom.viewer.layout.layout_file import read_layout
 
 # A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.

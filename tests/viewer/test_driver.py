@@ -17,7 +17,7 @@ from tfloom.rmw.base import NodeName, Participant, Reader
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.driving import driver as driver_module
 from tfloom.viewer.driving.driver import SILENCE_S, Driver, Wish, run_driver

@@ -37,7 +37,7 @@ from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
 from tfloom.rmw.errors import WireError
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
-from tfloom.tf2_tools.text.transform import transform_text
+from tfloom.tf2_tools.text import transform_text
 from tfloom.viewer import page_server, program
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import read_layout

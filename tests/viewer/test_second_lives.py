@@ -21,7 +21,7 @@ from tfloom.interfaces.visualization_msgs.msg import Marker
 from tfloom.rmw.base import NodeName, Participant, Writer
 from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import DurabilityPolicy, QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.viewer.displays.kinds import kind_of

@@ -15,7 +15,7 @@ from tfloom.rmw import backends
 from tfloom.rmw.base import NodeName, Writer
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topic_log import Cursor

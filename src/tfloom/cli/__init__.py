@@ -1,7 +1,7 @@
 """The commands: `tfloom VERB …`, and `ros2 VERB …` if the distribution `tfloom-ros2` is installed.
 
 - start, quiet_imports: the entry point;  main: the table of verbs
-- launch_api: ros2launch.api;  rviz2, rqt, joint_state_publisher_gui: the programs of these packages
+- launch_api: ros2launch.api;  page_programs, rqt: rviz2, joint_state_publisher_gui and rqt, which open the page
 - api/: what programs import from the packages of the other commands, as ros2topic.api
 - nodes/: a node for a block, for these and for extensions
 - plugins/: commands and verbs of installed packages

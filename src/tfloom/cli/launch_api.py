@@ -111,7 +111,7 @@ def parse_launch_arguments(launch_arguments: Iterable[str]) -> Any:
 
 
 def _load(path: str) -> LaunchDescription:
-    from tfloom.launch.launch_description_sources.loading import (
+    from tfloom.launch.files.sources import (
         get_launch_description_from_any_launch_file,
     )
 
@@ -168,7 +168,7 @@ def launch_a_launch_file(
     """
     from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
     from tfloom.launch.entities.launch_description import LaunchDescription
-    from tfloom.launch.launch_description_sources.sources import (
+    from tfloom.launch.files.sources import (
         AnyLaunchDescriptionSource,
     )
     from tfloom.launch.launch_service import LaunchService

@@ -41,6 +41,8 @@ COMMANDS: dict[str, str | Group] = {
             "record": "Record ROS data to a bag",
             "reindex": "Reconstruct metadata file for a bag",
         },
+        file="bag.queries",
+        own_files=("burst", "convert", "play", "record", "reindex"),
     ),
     "component": Group(
         "Inspect the containers of components that others run, and load components into them",
@@ -115,6 +117,8 @@ COMMANDS: dict[str, str | Group] = {
             "load": "Set a node's parameters from a YAML file",
             "set": "Set a parameter",
         },
+        file="param.queries",
+        own_files=("dump", "load"),
     ),
     "pkg": Group(
         "Inspect packages",

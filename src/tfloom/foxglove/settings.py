@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.common.access import is_origin
 from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.parameters.parameter import Parameter
 
 if TYPE_CHECKING:

@@ -13,8 +13,7 @@ From the bottom up:
 - processes/: a process group, with pipes or terminals; who ends what is left, also if the launch is killed
 - frontend/: elements of launch files, and the tables of tags and substitutions
 - substitutions/: texts at the run
-- descriptions/: executables
-- launch_description_sources/, xml/, yaml/: files
+- files/: launch files in Python, XML and YAML
 - actions/: `execute_local` runs a process from its start to its end
 - launch_service: the engine
 - launch_introspector: `--print`

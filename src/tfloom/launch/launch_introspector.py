@@ -7,11 +7,12 @@ from collections.abc import Iterable
 from tfloom.launch.actions.event_actions import EmitEvent, RegisterEventHandler
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.log import Log
-from tfloom.launch.core.launch_description_entity import (
+from tfloom.launch.core.base_classes import (
     LaunchDescriptionEntity,
+    SomeSubstitutionsType,
+    described,
     normalize_to_list_of_entities,
 )
-from tfloom.launch.core.substitution import SomeSubstitutionsType, described
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.entities.launch_description import LaunchDescription

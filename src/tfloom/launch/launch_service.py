@@ -25,13 +25,13 @@ from collections.abc import Coroutine, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from tfloom.launch.core.error_places import describe_failure
-from tfloom.launch.core.event import Event
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import (
+from tfloom.launch.core.base_classes import (
     LaunchDescriptionEntity,
     normalize_to_list_of_entities,
 )
+from tfloom.launch.core.error_places import describe_failure
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.core.run_state import HandlesEvents
 from tfloom.launch.entities.launch_description import LaunchDescription

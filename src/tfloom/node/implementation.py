@@ -12,7 +12,7 @@ from tfloom.node.executing.event_handler import UnsupportedEventTypeError, Watch
 from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.wait_set import WaitSet
 from tfloom.node.log import log_output
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.log.rcutils_logger import ThrottledWarning
 from tfloom.node.qos.qos import QoSCompatibility, QoSProfile
 from tfloom.node.values.exceptions import (
@@ -29,7 +29,7 @@ from tfloom.node.values.type_support import (
 )
 from tfloom.rmw.base import Reader, Requester, Responder
 from tfloom.rmw.events import AT_FIRST, Status
-from tfloom.rmw.shared.typed_names import service_of, topic_of
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

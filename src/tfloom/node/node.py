@@ -13,7 +13,7 @@ from tfloom.node.builtin.type_description_service import TypeDescriptionService
 from tfloom.node.context.arguments import Arguments, parse_arguments, warn_of_deprecated_remaps
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, no_parameter_error
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import S_TO_NS
 from tfloom.node.values.names import namespace_error, node_name_error
 from tfloom.node.values.type_support import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
 from tfloom.ros_imports.guard import ros_repr

@@ -6,9 +6,9 @@ import math
 from array import array
 from typing import Any
 
-from tfloom.rosidl.array_codes import ARRAY_CODES, NUMPY_NAMES
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import Type
+from tfloom.rosidl.type_text import ARRAY_CODES, NUMPY_NAMES
 
 # An integer of 8 bytes has two codes, depending on the platform: l and q.
 _KINDS = {

@@ -11,9 +11,9 @@ from collections.abc import Set as AbstractSet
 from typing import Any
 
 from tfloom.rosidl import spec
-from tfloom.rosidl.array_codes import ARRAY_CODES, NUMPY_NAMES
 from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.parse import parse_type
+from tfloom.rosidl.type_text import ARRAY_CODES, NUMPY_NAMES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

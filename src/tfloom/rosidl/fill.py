@@ -6,11 +6,11 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
-from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.registry import get_message_class
 from tfloom.rosidl.spec import FLOATS, INTEGER_RANGES, STRINGS, Type
+from tfloom.rosidl.type_text import ARRAY_CODES
 
 StampSetter = Callable[[Message], None]
 """A function that sets a `builtin_interfaces/msg/Time` in a field whose value was `now` or `auto`."""

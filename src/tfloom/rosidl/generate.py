@@ -13,10 +13,10 @@ from pathlib import Path
 from tfloom.ros_imports.distributions import INTERFACES
 from tfloom.ros_imports.modules import module_leaf
 from tfloom.rosidl import spec
-from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.definition_files import definitions_folder
 from tfloom.rosidl.parse import parse_interface
 from tfloom.rosidl.type_hash import FindSpec, type_hash
+from tfloom.rosidl.type_text import ARRAY_CODES
 
 KIND_WORDS = {"msg": "messages", "srv": "services", "action": "actions"}
 _ROOT = "tfloom"

@@ -9,8 +9,8 @@ from __future__ import annotations
 import os
 
 from tfloom._native import check_fields_by_default, set_message_hooks
-from tfloom.rosidl.array_codes import ARRAY_CODES
 from tfloom.rosidl.class_table import set_message_base
+from tfloom.rosidl.type_text import ARRAY_CODES
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

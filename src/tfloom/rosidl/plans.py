@@ -5,9 +5,8 @@ from __future__ import annotations
 import threading
 
 from tfloom._native import MessageBase, Plan, complete_plan
-from tfloom.rosidl.array_codes import ARRAY_CODES, NUMPY_NAMES
 from tfloom.rosidl.class_search import find_field_class
-from tfloom.rosidl.type_text import split_type
+from tfloom.rosidl.type_text import ARRAY_CODES, NUMPY_NAMES, split_type
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

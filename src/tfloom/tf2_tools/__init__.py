@@ -2,7 +2,7 @@
 
 - echo, monitor, static_publisher, view_frames, buffer_server: the programs
 
-- text/: counts, times and transforms in words
+- text: counts, times and transforms in words
 - static_transforms/: as a command line, as a YAML file
 - watch/: transforms as they are published, live or recorded; the tools below read these observations
 - tree_pictures/: of view_frames: records, the tree with the health of its edges, graph, table, web page

@@ -18,7 +18,7 @@ from tfloom.node.values.time import Time
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
-from tfloom.tf2_tools.text.transform import transform_text
+from tfloom.tf2_tools.text import transform_text
 
 USAGE = """\
 Usage: tf2_echo source_frame target_frame [echo_rate]

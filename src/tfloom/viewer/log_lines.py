@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.displays.display import shown_text
 

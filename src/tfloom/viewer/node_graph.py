@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from tfloom.rmw.action_names import SEND_GOAL
+from tfloom.rmw.typed_names import SEND_GOAL
 from tfloom.viewer.displays.display import shown_text
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
-from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.node.parameters.parameter import get_parameter_value, parameter_value_to_python
+from tfloom.node.parameters.parameter_file import give_types, untyped_names
 from tfloom.node.values.value_text import value_text as _value_text
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rosidl import cdr

@@ -17,7 +17,7 @@ from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
 from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
 from tfloom.tf2_tools.diagnosis.subject import Subject
-from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix, transform_text
+from tfloom.tf2_tools.text import matrix_from_quaternion, rpy_from_matrix, transform_text
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of

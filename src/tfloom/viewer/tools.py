@@ -17,7 +17,7 @@ from tfloom.interfaces.geometry_msgs.msg import (
 )
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.forms.filling import stamp_of_ns
 from tfloom.viewer.page_command import PageError

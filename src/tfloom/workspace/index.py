@@ -49,7 +49,7 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "joint_state_publisher": "tfloom.robot.joint_state_publisher:main",
     },
     "joint_state_publisher_gui": {
-        "joint_state_publisher_gui": "tfloom.cli.joint_state_publisher_gui:run",
+        "joint_state_publisher_gui": "tfloom.cli.page_programs:run_joint_state_publisher_gui",
     },
     "rmw_zenoh_cpp": {
         "rmw_zenohd": "tfloom.cli.zenoh:run_daemon",
@@ -67,7 +67,7 @@ PROGRAMS: dict[str, dict[str, str]] = {
         "rqt_plot": "tfloom.cli.rqt:run_plot",
     },
     "rviz2": {
-        "rviz2": "tfloom.cli.rviz2:run",
+        "rviz2": "tfloom.cli.page_programs:run_rviz2",
     },
     "tf2_ros": {
         "buffer_server": "tfloom.tf2_tools.buffer_server:main",

@@ -9,8 +9,8 @@ from tfloom.launch.actions.launch_configurations import (
     SetLaunchConfiguration,
     UnsetLaunchConfiguration,
 )
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

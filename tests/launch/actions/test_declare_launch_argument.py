@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 

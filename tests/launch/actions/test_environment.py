@@ -14,8 +14,8 @@ from tfloom.launch.actions.environment import (
     SetEnvironmentVariable,
     UnsetEnvironmentVariable,
 )
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 
 NAME = "TFLOOM_LAUNCH_TEST"

@@ -10,10 +10,10 @@ from typing import Any
 import pytest
 
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.core.base_classes import SubstitutionFailure
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SubstitutionFailure
 from tfloom.launch.entities.launch_description import LaunchDescription
-from tfloom.launch.launch_description_sources.loading import get_launch_description_from_any_launch_file
+from tfloom.launch.files.sources import get_launch_description_from_any_launch_file
 from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures
 
 NAME = "TFLOOM_LAUNCH_TEST"

@@ -11,9 +11,9 @@ from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.actions.launch_configurations import ResetLaunchConfigurations, SetLaunchConfiguration
 from tfloom.launch.actions.opaque import OpaqueFunction
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.core.circular_includes import CircularIncludeError
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource

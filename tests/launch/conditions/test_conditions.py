@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.entities.conditions import (
     IfCondition,
     InvalidConditionExpressionError,

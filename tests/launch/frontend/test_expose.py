@@ -232,7 +232,7 @@ def test_deprecated_methods_of_the_parser() -> None:
     with pytest.warns(UserWarning, match="use Parser.is_filename_valid instead"):
         assert Parser.is_extension_valid("xml")
     with pytest.warns(UserWarning, match="use Parser.get_parsers_from_filename instead"):
-        assert Parser.get_parser_from_extension("yaml").__module__ == "tfloom.launch.yaml.parser"
+        assert Parser.get_parser_from_extension("yaml").__module__ == "tfloom.launch.files.yaml_file"
     with (
         pytest.warns(UserWarning, match="get_parser_from_extension"),
         pytest.raises(RuntimeError, match="Not recognized frontend implementation"),

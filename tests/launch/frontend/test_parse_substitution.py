@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
+from tfloom.launch.core.base_classes import Substitution, TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import Substitution, TextSubstitution
 from tfloom.launch.frontend import expose
 from tfloom.launch.frontend.exposed import SUBSTITUTION_MODULES
 from tfloom.launch.frontend.parse_substitution import (

@@ -13,12 +13,12 @@ import pytest
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.core.entity import Entity
 from tfloom.launch.entities.conditions import IfCondition, UnlessCondition
+from tfloom.launch.files.xml_file import Entity as XmlEntity
+from tfloom.launch.files.xml_file import Parser as XmlParser
+from tfloom.launch.files.yaml_file import Entity as YamlEntity
+from tfloom.launch.files.yaml_file import Parser as YamlParser
 from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError, Parser
 from tfloom.launch.frontend.type_utils import check_is_list_entity, get_data_type_from_identifier
-from tfloom.launch.xml.entity import Entity as XmlEntity
-from tfloom.launch.xml.parser import Parser as XmlParser
-from tfloom.launch.yaml.entity import Entity as YamlEntity
-from tfloom.launch.yaml.parser import Parser as YamlParser
 
 
 def xml(text: str) -> Any:

@@ -12,8 +12,8 @@ from tests.launch.ros.conftest import make_package
 
 from tfloom.interfaces.composition_interfaces.srv import LoadNode
 from tfloom.launch.actions.group_action import GroupAction
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.entities.conditions import IfCondition
 from tfloom.launch.ros.actions.composable_nodes import (
     ComposableNodeContainer,
@@ -26,7 +26,7 @@ from tfloom.launch.ros.actions.node_defaults import (
     SetParametersFromFile,
     SetRemap,
 )
-from tfloom.launch.ros.descriptions.composable_node import ComposableNode
+from tfloom.launch.ros.composable_node import ComposableNode
 from tfloom.launch.ros.utilities.names import get_node_name_count
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import Client, NoResponseError

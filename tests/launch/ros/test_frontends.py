@@ -9,9 +9,9 @@ import pytest
 
 from tfloom.launch.actions.group_action import GroupAction
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
-from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
+from tfloom.launch.files.sources import AnyLaunchDescriptionSource
 from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer, LoadComposableNodes
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
 from tfloom.launch.ros.actions.node import Node

@@ -16,13 +16,17 @@ from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.ros.actions.lifecycle_node import LifecycleNode
 from tfloom.launch.ros.actions.lifecycle_transition import (
     LifecycleTransition,
+    OnStateTransition,
     match_node_name_goal,
     match_node_name_start_goal,
 )
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.event_handlers.on_state_transition import OnStateTransition
-from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
-from tfloom.launch.ros.events.matchers import matches_lifecycle_node_name, matches_node_name
+from tfloom.launch.ros.lifecycle_events import (
+    ChangeState,
+    StateTransition,
+    matches_lifecycle_node_name,
+    matches_node_name,
+)
 
 SENSOR = Path(__file__).parents[3] / "examples" / "lifecycle" / "sensor.py"
 

@@ -10,8 +10,8 @@ import pytest
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.group_action import GroupAction
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import (
@@ -22,7 +22,7 @@ from tfloom.launch.ros.actions.node_defaults import (
     SetROSLogDir,
 )
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
-from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage
+from tfloom.launch.ros.substitutions import ExecutableInPackage
 
 Words = Callable[..., list[str]]
 

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
+from tfloom.launch.files.sources import AnyLaunchDescriptionSource
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters
 
 XML: list[tuple[str, Any]] = [

@@ -8,8 +8,8 @@ from typing import Any, List  # noqa: UP035  # as programs write it
 
 import pytest
 
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters, to_parameters_list
 from tfloom.launch.ros.utilities.names import normalize_remap_rule, normalize_remap_rules

@@ -10,8 +10,8 @@ import pytest
 from tfloom.launch.actions.event_actions import Shutdown
 from tfloom.launch.actions.log import LogInfo
 from tfloom.launch.actions.opaque import OpaqueFunction
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.ros.actions.node_defaults import SetUseSimTime
 from tfloom.launch.ros.actions.ros_timer import ROSTimer
 from tfloom.launch.ros.ros_adapters import ROSAdapter, get_ros_adapter, get_ros_node

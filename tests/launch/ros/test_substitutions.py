@@ -6,12 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from tfloom.launch.core.base_classes import SubstitutionFailure
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SubstitutionFailure
 from tfloom.launch.frontend.parse_substitution import parse_substitution
 from tfloom.launch.ros.actions.node_defaults import SetParameter
-from tfloom.launch.ros.substitutions.find_package import FindPackage, FindPackagePrefix, FindPackageShare
-from tfloom.launch.ros.substitutions.parameter import Parameter
+from tfloom.launch.ros.substitutions import FindPackage, FindPackagePrefix, FindPackageShare, Parameter
 from tfloom.launch.utilities.substitutions import perform_substitutions
 from tfloom.workspace.ament import PackageNotFoundError
 

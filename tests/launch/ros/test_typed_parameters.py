@@ -13,7 +13,7 @@ import pytest
 from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
 from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
+from tfloom.launch.files.sources import AnyLaunchDescriptionSource
 from tfloom.launch.ros.actions.node import Node
 from tfloom.launch.ros.actions.node_defaults import SetParameter
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from tfloom.launch.core.base_classes import Substitution, SubstitutionFailure, TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import Substitution, SubstitutionFailure, TextSubstitution
 from tfloom.launch.logs.logging import launch_config
 from tfloom.launch.substitutions.anon_name import AnonName
 from tfloom.launch.substitutions.command import Command

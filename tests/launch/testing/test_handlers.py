@@ -9,9 +9,9 @@ import time
 
 import pytest
 
+from tfloom.launch.actions.executable import Executable
 from tfloom.launch.actions.execute_local import ExecuteLocal
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.events.process import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
 from tfloom.launch.substitutions.variables import LocalSubstitution
 from tfloom.launch.testing.assert_exit_codes import EXIT_SIGINT, assertExitCodes

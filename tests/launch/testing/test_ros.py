@@ -10,10 +10,8 @@ from tests.conftest import wait_until
 from tests.launch.testing.conftest import run_pytest
 
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.launch.testing.ros.data_republisher import DataRepublisher
-from tfloom.launch.testing.ros.message_pump import MessagePump
 from tfloom.launch.testing.ros.output import basic_output_filter, get_rmw_output_filter
-from tfloom.launch.testing.ros.wait_for_topics import WaitForTopics
+from tfloom.launch.testing.ros.topics import DataRepublisher, MessagePump, WaitForTopics
 from tfloom.node.node import Node
 
 

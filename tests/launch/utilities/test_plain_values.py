@@ -8,7 +8,7 @@ import pytest
 from tests.conftest import run_to_end
 
 from tfloom.common.yaml import load
-from tfloom.launch.utilities.plain_values import plain_value
+from tfloom.launch.utilities.texts import plain_value
 from tfloom.launch.utilities.type_utils import get_typed_value
 
 PLAIN = [

@@ -13,7 +13,7 @@ from tfloom.launch.entities.launch_description_source import LaunchDescriptionSo
 from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.ros.actions.composable_nodes import ComposableNodeContainer, LoadComposableNodes
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.descriptions.composable_node import ComposableNode
+from tfloom.launch.ros.composable_node import ComposableNode
 from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue
 from tfloom.launch.substitutions.variables import LaunchConfiguration
 

@@ -7,8 +7,8 @@ from typing import Any, List  # noqa: UP035  # as programs write
 
 import pytest
 
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import TextSubstitution
 from tfloom.launch.utilities.type_utils import (
     AllowedTypesTuple,
     coerce_list,

@@ -19,7 +19,7 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import qos_profile_action_status_default
-from tfloom.rmw.action_names import new_goal_id
+from tfloom.rmw.typed_names import new_goal_id
 
 Start = Callable[..., Program]
 Finish = Callable[..., Any]

@@ -22,7 +22,7 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Participant, Writer
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 TICK_S = 0.02

@@ -14,11 +14,11 @@ from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.sensor_msgs.msg import Image
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.tf2_msgs.action import LookupTransform
-from tfloom.rmw.action_names import SEND_GOAL_TYPE
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import Participant, Sample, Service
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.topic_names import request_topic, response_topic
+from tfloom.rmw.typed_names import SEND_GOAL_TYPE
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
 from tfloom.tf2_tools.diagnosis.live import LOOKUP_TYPE, listen, requested_frames

@@ -14,7 +14,7 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 
 STATIC = ("tfloom", "run", "tf2_ros", "static_transform_publisher")
 SPINNING = "Spinning until stopped"

@@ -14,7 +14,7 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import NodeName, Participant, Writer
 from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.lookups.advice import advise
 from tfloom.tf2_tools.lookups.lookup import Lookup, Outcome, look_up

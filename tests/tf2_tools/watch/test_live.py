@@ -16,7 +16,7 @@ from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Participant, Writer
 from tfloom.rmw.local import wire as local
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.top.rows import Health, Rates, rows_of

@@ -8,7 +8,7 @@ from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.node.base.node_base import open_endpoint
 from tfloom.node.qos.qos import qos_profile_services_default
 from tfloom.rmw.errors import WireError
-from tfloom.rmw.shared.typed_names import service_of
+from tfloom.rmw.typed_names import service_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.registry import get_service_class
 

@@ -21,8 +21,7 @@ from tfloom.interfaces.rosbag2_interfaces.srv import (
     Stop,
     TogglePaused,
 )
-from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.duration import Duration
+from tfloom.node.values.duration import S_TO_NS, Duration
 
 __all__ = ["serve_player"]
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from tfloom.bag.qos_profiles import adapted, profiles_text, unmet_policies, warnings_of
-from tfloom.bag.recording.record_options import RecordOptions
-from tfloom.bag.topic_choice import is_service_event
+from tfloom.bag.topic_choice import TopicChoice, is_service_event
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.bag.writing.definition_text import find_definition, hash_of
@@ -22,7 +22,27 @@ from tfloom.rmw.qos import HistoryPolicy, QoS
 if TYPE_CHECKING:
     from tfloom.node.node import Node
 
-__all__ = ["RecordedTopics"]
+__all__ = ["RecordOptions", "RecordedTopics"]
+
+
+@dataclass
+class RecordOptions:
+    """The options of a recorder; the bag's are in `WriterSettings`."""
+
+    choice: TopicChoice = field(default_factory=TopicChoice)
+    is_discovery_disabled: bool = False
+    """Whether only topics are recorded that exist at the start."""
+    polling_interval_s: float = 0.1
+    include_hidden_topics: bool = False
+    include_unpublished_topics: bool = False
+    ignore_leaf_topics: bool = False
+    """Whether topics without a subscription, but for the recorder's own, are left out."""
+    qos_overrides: Mapping[str, QoS] = field(default_factory=dict)
+    """The subscriptions' profiles, by topic."""
+    is_start_paused: bool = False
+    use_sim_time: bool = False
+    has_keyboard: bool = True
+
 
 MAX_SEARCHES = 5
 """How often a definition is searched for again, where no node had one."""

@@ -9,8 +9,7 @@ from typing import Any
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.recording.discovery import Discovery
-from tfloom.bag.recording.record_options import RecordOptions
-from tfloom.bag.recording.recorded_topics import RecordedTopics
+from tfloom.bag.recording.recorded_topics import RecordedTopics, RecordOptions
 from tfloom.bag.recording.recorder_services import RefusedError, serve_recorder
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.common.signals import signals_deferred

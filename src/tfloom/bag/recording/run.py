@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tfloom.bag.key_presses import handled_keys
 from tfloom.bag.node_running import spin_until
-from tfloom.bag.recording.record_options import RecordOptions
+from tfloom.bag.recording.recorded_topics import RecordOptions
 from tfloom.bag.recording.recorder import Learn, Recorder
 from tfloom.bag.writing.bag_writer import WriterSettings
 

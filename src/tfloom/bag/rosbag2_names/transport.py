@@ -13,7 +13,7 @@ from typing import Any
 from tfloom.bag.converting import convert, parse_outputs, read_outputs
 from tfloom.bag.playing import play_options as playing
 from tfloom.bag.playing.run import play
-from tfloom.bag.recording import record_options as recording
+from tfloom.bag.recording import recorded_topics as recording
 from tfloom.bag.recording.run import record
 from tfloom.bag.rosbag2_names.qos import wire_profile
 from tfloom.bag.rosbag2_names.storage import StorageOptions
@@ -21,8 +21,8 @@ from tfloom.bag.rosbag2_names.writers import writer_settings
 from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, TopicChoice, full_names
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, try_shutdown
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.log.logging import get_logging_severity_from_string, set_logger_level
-from tfloom.node.log.logging_severity import LoggingSeverity
 
 __all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource", "bag_rewrite"]
 

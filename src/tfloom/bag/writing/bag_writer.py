@@ -20,11 +20,44 @@ from tfloom.bag.writing.metadata_text import (
     metadata_text,
 )
 from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings, TopicTable
-from tfloom.bag.writing.storage_files import open_storage_file
 from tfloom.common.files import write_file
 from tfloom.ros_imports.environment import ROS_DISTRO
 
-__all__ = ["BagWriter", "State", "WriterSettings"]
+__all__ = ["BagWriter", "State", "WriterSettings", "open_storage_file"]
+
+
+def open_storage_file(
+    storage_id: str, path: Path, topics: TopicTable, settings: StorageSettings, metadata: str
+) -> StorageFile:
+    """Create a file.
+
+    Args:
+        storage_id: A key of `STORAGES`.
+        path: The file, which must not exist.
+        topics: By channel number; the writer of the bag adds to it.
+        settings: How it is written.
+        metadata: Of the bag so far, as YAML.
+
+    Raises:
+        OSError: it can't be created.
+    """
+    try:
+        if storage_id == "mcap":
+            from tfloom.bag.writing.mcap_file import McapFile
+
+            return McapFile(path, topics, settings, metadata)
+        from tfloom.bag.writing.sqlite_file import SqliteFile
+
+        return SqliteFile(path, topics, settings, metadata)
+    except FileExistsError:  # not ours
+        raise
+    except (
+        BaseException
+    ):  # without its beginning it is not a file of the storage, and in the way of another try
+        for suffix in ("", "-wal", "-shm"):
+            path.with_name(path.name + suffix).unlink(missing_ok=True)
+        raise
+
 
 DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
 """Of each of the two buffers [bytes]."""

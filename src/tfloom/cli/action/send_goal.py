@@ -13,7 +13,9 @@ from tfloom.cli.shared.errors import standard_input
 from tfloom.cli.shared.interfaces import action_class, fill_message, parse_yaml
 from tfloom.cli.shared.listen import cli_node, decoded, shown_node
 from tfloom.cli.shared.names import full_topic_name
-from tfloom.rmw.action_names import (
+from tfloom.rmw.base import NodeName, Participant, Reader
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.typed_names import (
     CANCEL_GOAL,
     CANCEL_REFUSALS,
     FEEDBACK,
@@ -22,10 +24,8 @@ from tfloom.rmw.action_names import (
     SEND_GOAL,
     key_of,
     new_goal_id,
+    topic_of,
 )
-from tfloom.rmw.base import NodeName, Participant, Reader
-from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl.yaml_text import message_to_yaml
 
 CANCEL_TIMEOUT_S = 5.0

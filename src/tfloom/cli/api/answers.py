@@ -1,16 +1,53 @@
-"""Calls of several services at a time, by a node that other programs have created."""
+"""What command lines' words stand for, and answers of other nodes."""
 
 from __future__ import annotations
 
+import argparse
 import time
-from collections.abc import Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping
 from typing import Any, NamedTuple, TypeVar
 
 from tfloom.cli.nodes.strategy import GraphNode, node_of
 from tfloom.common.seconds import checked_timeout
 from tfloom.node.client_library import spin_until_future_complete
 
-__all__ = ["TIMEOUT_S", "Call", "call_services"]
+__all__ = ["TIMEOUT_S", "Call", "argument_key", "call_services", "positive_float", "positive_int"]
+
+
+def positive_int(string: str) -> int:
+    """Return a whole number above 0.
+
+    Raises:
+        argparse.ArgumentTypeError: it is no such number.
+    """
+    value: int = _positive(int, string, "value must be a positive integer")
+    return value
+
+
+def positive_float(inval: str) -> float:
+    """Return a number above 0.
+
+    Raises:
+        argparse.ArgumentTypeError: it is no such number.
+    """
+    value: float = _positive(float, inval, "value must be a positive float")
+    return value
+
+
+def _positive(kind: Callable[[str], Any], text: str, otherwise: str) -> Any:
+    try:
+        value = kind(text)
+    except ValueError:
+        value = 0
+    if not value > 0:
+        raise argparse.ArgumentTypeError(otherwise)
+    return value
+
+
+def argument_key(given: str | None, usual: str) -> str:
+    """Return the name of the argument that a completer reads."""
+    return usual if given is None else given
+
 
 TIMEOUT_S = 5.0
 """Longest wait for the services, and after it for their responses [s]."""

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from typing import Any, NamedTuple
 
-from tfloom.cli.api.values import argument_key
+from tfloom.cli.api.answers import argument_key
 from tfloom.cli.nodes.direct import HIDDEN_NODE_PREFIX
 from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy, node_of
 from tfloom.cli.plugins.helpers import wait_for

@@ -20,8 +20,8 @@ from tfloom.interfaces.rcl_interfaces.srv import (
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.executing.task import Future
-from tfloom.node.parameters.empty_lists import give_declared_types
 from tfloom.node.parameters.parameter import parameter_dict_from_yaml_file, parameter_value_to_python
+from tfloom.node.parameters.parameter_file import give_declared_types
 
 __all__ = [
     "ParameterNameCompleter",

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from tfloom.cli.api.answers import argument_key
 from tfloom.cli.api.pkg import PackageNotFound, get_executable_paths
-from tfloom.cli.api.values import argument_key
 from tfloom.cli.run import how_it_ended, package_programs
 from tfloom.cli.shared.child import run_child
 from tfloom.common.terminal import report

@@ -10,7 +10,7 @@ from tfloom.cli.bag import conventions
 from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
-    from tfloom.bag.recording.record_options import RecordOptions
+    from tfloom.bag.recording.recorded_topics import RecordOptions
     from tfloom.bag.writing.bag_writer import WriterSettings
 
 PRESETS = ["none", "fastwrite", "zstd_fast", "zstd_small"]
@@ -245,7 +245,7 @@ def _settings(args: argparse.Namespace) -> WriterSettings:
 
 def _options(args: argparse.Namespace) -> RecordOptions:
     from tfloom.bag.qos_profiles import read_overrides
-    from tfloom.bag.recording.record_options import RecordOptions
+    from tfloom.bag.recording.recorded_topics import RecordOptions
     from tfloom.bag.topic_choice import TopicChoice, full_names
 
     choice = TopicChoice(

@@ -331,7 +331,7 @@ def check_round_trip() -> Finding:
     from tfloom.rmw.backends import open_participant
     from tfloom.rmw.base import NodeName
     from tfloom.rmw.qos import QoS
-    from tfloom.rmw.shared.typed_names import topic_of
+    from tfloom.rmw.typed_names import topic_of
 
     node, topic = NodeName("/", "_tfloom_doctor"), topic_of(Empty, "/_tfloom_doctor")
     start = time.monotonic()

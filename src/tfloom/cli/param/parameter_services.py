@@ -15,7 +15,7 @@ from tfloom.cli.shared.names import did_you_mean, find_full_name
 from tfloom.cli.shared.numbers import seconds
 from tfloom.interfaces.rcl_interfaces import srv
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor, ParameterValue
-from tfloom.node.parameters.empty_lists import give_declared_types
+from tfloom.node.parameters.parameter_file import give_declared_types
 from tfloom.rmw.base import Graph
 
 TIMEOUT_S = 5.0

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.names import did_you_mean, full_topic_name
-from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.base import Graph
 from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE
+from tfloom.rmw.typed_names import SEND_GOAL, SEND_GOAL_TYPE
 
 
 class ActionEnd(NamedTuple):

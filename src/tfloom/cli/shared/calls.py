@@ -13,9 +13,9 @@ from tfloom._native import ReadyQueue
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import did_you_mean
 from tfloom.common.terminal import report
-from tfloom.rmw.action_names import SEND_GOAL
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
+from tfloom.rmw.typed_names import SEND_GOAL
 from tfloom.rosidl import cdr
 
 T = TypeVar("T")

@@ -18,8 +18,8 @@ from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, 
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rmw.shared.waiting import wait_for_token
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 

@@ -12,7 +12,7 @@ from tfloom.common.terminal import report
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 
 NowNs = Callable[[], int]
 """A function that returns the time [ns]; 0 before it is known."""

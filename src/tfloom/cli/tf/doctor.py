@@ -19,8 +19,7 @@ from tfloom.cli.shared.graph import MAX_WAIT_S
 from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.numbers import seconds, tolerance
 from tfloom.common.terminal import report, unescaped
-from tfloom.tf2_tools.diagnosis.catalogue import KINDS, Severity
-from tfloom.tf2_tools.diagnosis.limits import Limits
+from tfloom.tf2_tools.diagnosis.catalogue import KINDS, Limits, Severity
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.numbers import seconds
 from tfloom.cli.tf import source
 from tfloom.common.terminal import report
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer

@@ -10,7 +10,7 @@ from tfloom.cli.shared import graph
 from tfloom.cli.shared.errors import CommandError, wait_for_ctrl_c
 from tfloom.cli.shared.listen import shown_node
 from tfloom.cli.shared.names import full_topic_name, named_node
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC
 
 
@@ -33,7 +33,7 @@ def main(args: argparse.Namespace) -> int:
     from tfloom.cli.shared.sim_time import clock, wait_until_known
     from tfloom.interfaces.tf2_msgs.msg import TFMessage
     from tfloom.rmw.qos import DurabilityPolicy, QoS
-    from tfloom.rmw.shared.typed_names import topic_of
+    from tfloom.rmw.typed_names import topic_of
     from tfloom.tf2_tools.static_transforms.file import StaticFileError, encoded, read_statics
 
     try:

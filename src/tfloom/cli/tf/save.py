@@ -9,7 +9,7 @@ from typing import TextIO
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.tf import source
 from tfloom.common.terminal import report
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -25,7 +25,7 @@ from tfloom.common.terminal import report
 from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl.message import Message
 
 SENSOR_DATA = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, depth=5)

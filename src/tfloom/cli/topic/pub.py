@@ -18,7 +18,7 @@ from tfloom.cli.shared.sim_time import NowNs, clock, wait_until_known
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Writer
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
 

@@ -12,7 +12,7 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.client_library import spin_until_future_complete
 from tfloom.node.endpoints.client import Client
 from tfloom.node.executing.executors import SingleThreadedExecutor
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
 from tfloom.node.values.exceptions import ExternalShutdownException

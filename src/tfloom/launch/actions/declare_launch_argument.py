@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger

@@ -6,9 +6,9 @@ import os
 from typing import Any
 
 from tfloom.launch.actions.texts import ActionOfTexts, NamedValue
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

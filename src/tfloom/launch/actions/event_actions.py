@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.launch.core.entity import Entity, ParsesActions
-from tfloom.launch.core.event import Event
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import (
+from tfloom.launch.core.base_classes import (
     LaunchDescriptionEntity,
     normalize_to_list_of_entities,
 )
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.events.launch_events import Shutdown as ShutdownEvent

@@ -10,16 +10,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from tfloom.common.seconds import checked_timeout
+from tfloom.launch.actions.executable import Executable
 from tfloom.launch.actions.process_output import ProcessOutput
-from tfloom.launch.core.event import Event
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import (
+from tfloom.launch.core.base_classes import (
     LaunchDescriptionEntity,
     SomeEntitiesType,
+    SomeSubstitutionsType,
     normalize_to_list_of_entities,
 )
-from tfloom.launch.core.substitution import SomeSubstitutionsType
-from tfloom.launch.descriptions.executable import Executable
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.conditions import evaluate_condition_expression
 from tfloom.launch.entities.event_handler import BaseEventHandler, EventHandler

@@ -6,10 +6,10 @@ import shlex
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from tfloom.launch.actions.executable import Executable
 from tfloom.launch.actions.execute_local import ExecuteLocal
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution, TextSubstitution
 from tfloom.launch.core.entity import Entity, ParsesActions, parse_pairs
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, TextSubstitution
-from tfloom.launch.descriptions.executable import Executable
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.utilities.argument_errors import unknown_argument_error, words_error

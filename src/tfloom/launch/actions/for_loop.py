@@ -6,10 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from tfloom.launch.actions.opaque import OpaqueFunction
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType, Substitution
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger

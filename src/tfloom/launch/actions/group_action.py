@@ -13,10 +13,9 @@ from tfloom.launch.actions.launch_configurations import (
     SetLaunchConfiguration,
     parse_kept,
 )
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 

@@ -9,16 +9,15 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.launch.actions.launch_configurations import SetLaunchConfiguration
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType
 from tfloom.launch.core.circular_includes import refuse_circle
 from tfloom.launch.core.entity import Entity, ParsesActions, parse_pairs
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.entities.launch_description_source import LaunchDescriptionSource
+from tfloom.launch.files.sources import AnyLaunchDescriptionSource
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.launch_description_sources.sources import AnyLaunchDescriptionSource
 from tfloom.launch.utilities.argument_errors import substitutions_error
 from tfloom.launch.utilities.substitutions import perform_some_substitutions
 

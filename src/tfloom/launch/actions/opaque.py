@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Coroutine, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.events.event_handlers import OnShutdown

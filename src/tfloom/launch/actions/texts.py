@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, ClassVar
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
 from tfloom.launch.core.entity import Entity, ParsesActions
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions
 

@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.common.seconds import checked_timeout
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType, described
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType, described
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.events.event_handlers import OnShutdown

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Protocol, TypeVar
 
-from tfloom.launch.core.condition import Condition
-from tfloom.launch.core.substitution import Substitution
+from tfloom.launch.core.base_classes import Condition, Substitution
 
 __all__ = ["Entity", "Pair", "ParsesActions", "TargetType", "parse_pairs"]
 

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.base_classes import Condition, LaunchDescriptionEntity
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.error_places import keep_place, place_of_construction
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 
 __all__ = ["Action", "ExecutionComplete"]
 

@@ -5,9 +5,8 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 
-from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.base_classes import Condition, SomeSubstitutionsType, Substitution, described
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.ros_imports.guard import ros_home
 

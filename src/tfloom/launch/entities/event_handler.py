@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from tfloom.launch.core.event import Event
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import (
+from tfloom.launch.core.base_classes import (
     LaunchDescriptionEntity,
     SomeEntitiesType,
     normalize_to_list_of_entities,
 )
+from tfloom.launch.core.event import Event
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.ros_imports.guard import ros_repr
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.entities.action import Action
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.argument_errors import entities_error, entity_error

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.core.private_names import HasPrivateNames
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterable, Mapping
 from types import FunctionType, MethodType
 from typing import Any, TypeVar
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
 from tfloom.launch.core.entity import Entity, ParsesActions
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
 from tfloom.launch.frontend.exposed import ACTION_MODULES, SUBSTITUTION_MODULES
-from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.launch.utilities.texts import did_you_mean
 from tfloom.ros_imports.distributions import may_have_entry_points
 
 __all__ = [

@@ -11,7 +11,7 @@ __all__ = ["ACTION_MODULES", "SUBSTITUTION_MODULES"]
 _ACTIONS = "tfloom.launch.actions."
 _ROS_ACTIONS = "tfloom.launch.ros.actions."
 _SUBSTITUTIONS = "tfloom.launch.substitutions."
-_ROS_SUBSTITUTIONS = "tfloom.launch.ros.substitutions."
+_ROS_SUBSTITUTIONS = "tfloom.launch.ros.substitutions"
 
 ACTION_MODULES: dict[str, str] = {
     "append_env": _ACTIONS + "environment",
@@ -58,13 +58,13 @@ SUBSTITUTION_MODULES: dict[str, str] = {
     "env": _SUBSTITUTIONS + "variables",
     "equals": _SUBSTITUTIONS + "comparisons",
     "eval": _SUBSTITUTIONS + "python_expression",
-    "exec-in-package": _ROS_SUBSTITUTIONS + "executable_in_package",
-    "exec-in-pkg": _ROS_SUBSTITUTIONS + "executable_in_package",
+    "exec-in-package": _ROS_SUBSTITUTIONS,
+    "exec-in-pkg": _ROS_SUBSTITUTIONS,
     "file-content": _SUBSTITUTIONS + "file_content",
     "filename": _SUBSTITUTIONS + "launch_files",
     "find-exec": _SUBSTITUTIONS + "find_executable",
-    "find-pkg-prefix": _ROS_SUBSTITUTIONS + "find_package",
-    "find-pkg-share": _ROS_SUBSTITUTIONS + "find_package",
+    "find-pkg-prefix": _ROS_SUBSTITUTIONS,
+    "find-pkg-share": _ROS_SUBSTITUTIONS,
     "for-var": _SUBSTITUTIONS + "variables",
     "if": _SUBSTITUTIONS + "comparisons",
     "index": _SUBSTITUTIONS + "variables",
@@ -73,7 +73,7 @@ SUBSTITUTION_MODULES: dict[str, str] = {
     "not": _SUBSTITUTIONS + "comparisons",
     "not-equals": _SUBSTITUTIONS + "comparisons",
     "or": _SUBSTITUTIONS + "comparisons",
-    "param": _ROS_SUBSTITUTIONS + "parameter",
+    "param": _ROS_SUBSTITUTIONS,
     "path-join": _SUBSTITUTIONS + "joins",
     "string-join": _SUBSTITUTIONS + "joins",
     "var": _SUBSTITUTIONS + "variables",

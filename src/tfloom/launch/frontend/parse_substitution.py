@@ -15,8 +15,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from tfloom.launch.core.base_classes import Substitution, TextSubstitution
 from tfloom.launch.core.error_places import add_to_error
-from tfloom.launch.core.substitution import Substitution, TextSubstitution
 from tfloom.launch.frontend.expose import instantiate_substitution
 
 __all__ = [

@@ -8,11 +8,10 @@ import warnings
 from pathlib import Path
 from typing import Any, TextIO
 
-from tfloom.launch.core.condition import Condition
+from tfloom.launch.core.base_classes import Condition, Substitution
 from tfloom.launch.core.entity import Entity
 from tfloom.launch.core.error_places import describe_error, place_error
 from tfloom.launch.core.invalid_launch_file_error import InvalidLaunchFileError
-from tfloom.launch.core.substitution import Substitution
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.conditions import IfCondition, UnlessCondition
 from tfloom.launch.entities.launch_description import LaunchDescription
@@ -22,12 +21,12 @@ from tfloom.launch.frontend.parse_substitution import (
     parse_substitution,
     replace_escaped_characters,
 )
-from tfloom.launch.utilities.nearest import did_you_mean
+from tfloom.launch.utilities.texts import did_you_mean
 from tfloom.ros_imports.guard import ros_home
 
 __all__ = ["InvalidFrontendLaunchFileError", "Parser", "read_content"]
 
-_MODULES = {"xml": "tfloom.launch.xml.parser", "yaml": "tfloom.launch.yaml.parser"}
+_MODULES = {"xml": "tfloom.launch.files.xml_file", "yaml": "tfloom.launch.files.yaml_file"}
 """Modules of tfloom's own parsers, which are imported when a file needs them."""
 _FORMATS = {".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
 

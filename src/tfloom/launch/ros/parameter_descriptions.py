@@ -8,13 +8,13 @@ from pathlib import Path
 from typing import Any, List, Union, cast
 
 from tfloom.common.seconds import plain_value
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.private_names import HasPrivateNames
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
     SomeSubstitutionsType,
     SomeSubstitutionsType_types_tuple,
     Substitution,
 )
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
@@ -241,7 +241,7 @@ def _substitutions_of_path(path: FilePath | SomeSubstitutionsType) -> list[Subst
 
 def _file_with_substitutions(context: LaunchContext, path: Path) -> Path:
     from tfloom.common.yaml import YamlError, compose_all
-    from tfloom.launch.core.substitution import SubstitutionFailure
+    from tfloom.launch.core.base_classes import SubstitutionFailure
     from tfloom.launch.frontend.parse_substitution import parse_substitution
     from tfloom.launch.ros.temporary_files import write_temporary_file
 

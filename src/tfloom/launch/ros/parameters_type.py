@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Union
 
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
 from tfloom.launch.ros.parameter_descriptions import (
     EvaluatedParameterValue,
     Parameter,

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import os
 
+from tfloom.launch.core.base_classes import ParsedSubstitution, SomeSubstitutionsType, Substitution, described
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import ParsedSubstitution, SomeSubstitutionsType, Substitution, described
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 

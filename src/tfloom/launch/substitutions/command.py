@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
     ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
     described,
 )
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.substitutions.find_executable import command_of

@@ -6,14 +6,14 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
     ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
     described,
 )
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 from tfloom.launch.utilities.type_utils import is_substitution, perform_typed_substitution

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
     ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
     described,
 )
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 

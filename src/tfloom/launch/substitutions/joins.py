@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.utilities.argument_errors import substitutions_error
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+from tfloom.launch.core.base_classes import ParsedSubstitution, SubstitutionFailure
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import ParsedSubstitution, SubstitutionFailure
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.logs.logging import launch_config
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.core.error_places import add_to_error
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, described
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.utilities.argument_types import ensure_argument_type
 from tfloom.launch.utilities.substitutions import (

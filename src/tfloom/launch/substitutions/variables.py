@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
     ParsedSubstitution,
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
     described,
 )
+from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.frontend.expose import expose_substitution
 from tfloom.launch.utilities.argument_types import ensure_argument_type
-from tfloom.launch.utilities.nearest import did_you_mean
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
+from tfloom.launch.utilities.texts import did_you_mean
 
 __all__ = [
     "EnvironmentVariable",

@@ -9,10 +9,9 @@ from tfloom.common.seconds import checked_timeout
 from tfloom.launch.actions.execute_process import ExecuteProcess
 from tfloom.launch.actions.opaque import OpaqueFunction
 from tfloom.launch.actions.timer_action import TimerAction
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.entities.action import Action
 from tfloom.launch.events.event_handlers import OnProcessStart
 from tfloom.launch.events.process import ShutdownProcess, matches_action

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from tfloom.launch.core.substitution import described
+from tfloom.launch.core.base_classes import described
 from tfloom.launch.entities.launch_description import LaunchDescription
 
 __all__ = ["parse_launch_arguments", "print_arguments_of_launch_description"]

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Final, Protocol
 
 from tfloom.launch.actions.execute_local import ExecuteLocal
-from tfloom.launch.core.substitution import TextSubstitution
+from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.ros_imports.guard import ros_home
 
 __all__ = ["NO_CMD_ARGS", "CmdArgs", "NoMatchingProcessException", "Process", "resolveProcesses"]

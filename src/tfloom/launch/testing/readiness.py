@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from tfloom.common.seconds import checked_timeout
 from tfloom.launch.actions.execute_process import ExecuteProcess
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity, SomeEntitiesType
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeEntitiesType
 from tfloom.launch.events.event_handlers import OnProcessIO
 from tfloom.launch.events.process import ProcessIO
 

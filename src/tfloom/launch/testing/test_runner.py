@@ -11,7 +11,7 @@ import unittest
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnProcessIO
 from tfloom.launch.events.launch_events import Shutdown

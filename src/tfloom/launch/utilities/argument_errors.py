@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.common.text import given_text
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import Substitution
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, Substitution
 
 __all__ = ["entities_error", "entity_error", "substitutions_error", "unknown_argument_error", "words_error"]
 

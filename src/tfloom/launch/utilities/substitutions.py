@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
     SomeSubstitutionsType,
     Substitution,
     SubstitutionFailure,
     TextSubstitution,
 )
+from tfloom.launch.core.launch_context import LaunchContext
 
 __all__ = ["normalize_to_list_of_substitutions", "perform_some_substitutions", "perform_substitutions"]
 

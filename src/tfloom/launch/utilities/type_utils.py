@@ -6,10 +6,10 @@ import os
 from collections.abc import Iterable, Sequence
 from typing import Any, List, Union
 
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution
-from tfloom.launch.utilities.plain_values import plain_value
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
+from tfloom.launch.utilities.texts import plain_value
 
 __all__ = [
     "AllowedTypesTuple",

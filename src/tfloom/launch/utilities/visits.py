@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
 from tfloom.launch.core.missing import is_about_missing, skip_text
 from tfloom.launch.logs.logging import get_logger
 

@@ -21,8 +21,7 @@ from tfloom.node.executing.executor import executor_of
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
-from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.duration import Duration
+from tfloom.node.values.duration import S_TO_NS, Duration
 from tfloom.node.values.names import name_error
 from tfloom.node.values.type_support import (
     FeedbackMessageT,
@@ -34,7 +33,7 @@ from tfloom.node.values.type_support import (
     wrong_fields,
 )
 from tfloom.node.values.wrong_arguments import node_error, not_callable
-from tfloom.rmw.action_names import (
+from tfloom.rmw.typed_names import (
     CANCEL_GOAL,
     FEEDBACK,
     GET_RESULT,

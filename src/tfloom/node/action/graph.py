@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from tfloom.rmw.action_names import FEEDBACK
+from tfloom.rmw.typed_names import FEEDBACK
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node

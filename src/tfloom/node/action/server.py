@@ -22,7 +22,7 @@ from tfloom.node.executing.executors import await_or_execute
 from tfloom.node.executing.waitable import NumberOfEntities
 from tfloom.node.qos.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from tfloom.node.values.callback_errors import print_error
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import S_TO_NS
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.names import name_error
 from tfloom.node.values.type_support import (
@@ -33,7 +33,7 @@ from tfloom.node.values.type_support import (
     wrong_fields,
 )
 from tfloom.node.values.wrong_arguments import node_error, not_callable
-from tfloom.rmw.action_names import (
+from tfloom.rmw.typed_names import (
     CANCEL_GOAL,
     FEEDBACK,
     GET_RESULT,

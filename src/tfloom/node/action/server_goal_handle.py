@@ -11,7 +11,7 @@ from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import ACTIVE, GoalEvent, next_state
 from tfloom.node.executing.task import Future
 from tfloom.node.values.type_support import FeedbackT, GoalT, ResultT
-from tfloom.rmw.action_names import key_of
+from tfloom.rmw.typed_names import key_of
 from tfloom.ros_imports.guard import ros_repr
 
 __all__ = ["GoalServer", "ServerGoalHandle"]

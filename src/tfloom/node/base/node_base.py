@@ -38,7 +38,7 @@ from tfloom.node.parameters.parameter import Parameter, no_parameter_error
 from tfloom.node.parameters.parameter_declaration import warn_of_names_alone
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
-from tfloom.node.values.constants import INT64_MAX, S_TO_NS
+from tfloom.node.values.duration import INT64_MAX, S_TO_NS
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
 from tfloom.node.values.time import ClockType, check_fits_stamp
@@ -50,7 +50,7 @@ from tfloom.node.values.type_support import (
     msg_type_error,
 )
 from tfloom.node.values.wrong_arguments import not_callable
-from tfloom.rmw.shared.typed_names import service_of, topic_of
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:

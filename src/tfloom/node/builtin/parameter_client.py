@@ -18,9 +18,8 @@ from tfloom.interfaces.rcl_interfaces.srv import (
     SetParametersAtomically,
 )
 from tfloom.node.executing.task import Future
-from tfloom.node.parameters.empty_lists import give_types, untyped_names
 from tfloom.node.parameters.parameter import Parameter, ParameterType, parameter_dict
-from tfloom.node.parameters.parameter_file import EVERY_NODE, read_parameter_file
+from tfloom.node.parameters.parameter_file import EVERY_NODE, give_types, read_parameter_file, untyped_names
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.values.names import full_node_name
 

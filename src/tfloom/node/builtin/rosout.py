@@ -11,10 +11,10 @@ from tfloom.node.base.node_base import NodeBase, open_endpoint
 from tfloom.node.log import log_output
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.qos.qos import qos_profile_rosout_default
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import S_TO_NS
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.rmw.errors import ClosedError
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

@@ -12,8 +12,7 @@ from tfloom.common.seconds import duration_error
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, ClockChange, JumpThreshold, TimeJump
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.values.callback_errors import call_all
-from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.duration import Duration
+from tfloom.node.values.duration import S_TO_NS, Duration
 from tfloom.node.values.exceptions import NotInitializedException
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.time import ClockType, ReadableClock, Time

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from tfloom.common.text import shortened
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.parameters.parameter_file import (
     EVERY_NODE,
     ParameterRule,

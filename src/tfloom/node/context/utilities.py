@@ -16,7 +16,7 @@ from typing import Any
 from tfloom.common.seconds import checked_timeout, to_nanoseconds
 from tfloom.node.context import arguments
 from tfloom.node.context.context import Context
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import S_TO_NS
 
 __all__ = [
     "S_TO_NS",

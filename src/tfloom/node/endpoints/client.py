@@ -19,8 +19,7 @@ from tfloom.node.endpoints.service_introspection import Introspection
 from tfloom.node.executing.entity import Entity
 from tfloom.node.executing.task import Future
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.values.constants import S_TO_NS
-from tfloom.node.values.duration import Duration
+from tfloom.node.values.duration import S_TO_NS, Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.type_support import SrvType, SrvTypeRequest, SrvTypeResponse, wrong_fields
 from tfloom.rmw.base import RequestId

@@ -26,7 +26,7 @@ from tfloom.node.executing.task import Future, Task, future_error
 from tfloom.node.executing.temporarily_added import TemporarilyAdded
 from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work
 from tfloom.node.values.callback_errors import report_exception
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import S_TO_NS
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.values.wrong_arguments import node_error
 from tfloom.ros_imports.guard import ros_repr

@@ -11,7 +11,7 @@ from tfloom.common.seconds import too_long
 from tfloom.node.clock.clock import Clock, JumpHandle, ROSClock
 from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import CallbackEntity
-from tfloom.node.values.constants import INT64_MAX
+from tfloom.node.values.duration import INT64_MAX
 from tfloom.node.values.exceptions import ROSInterruptException
 from tfloom.ros_imports.guard import ros_repr
 

@@ -7,13 +7,14 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from enum import IntEnum
 
 from tfloom.common.terminal import is_terminal, shown, shown_name, unescaped
 from tfloom.node.log.log_file import LogFile
-from tfloom.node.log.logging_severity import LoggingSeverity
-from tfloom.node.values.constants import S_TO_NS
+from tfloom.node.values.duration import S_TO_NS
 
 __all__ = [
+    "LoggingSeverity",
     "Record",
     "add_listener",
     "configure",
@@ -24,6 +25,18 @@ __all__ = [
     "set_level",
     "write",
 ]
+
+
+class LoggingSeverity(IntEnum):
+    """Severity of a log record; the numbers are those of `rcl_interfaces/msg/Log`."""
+
+    UNSET = 0
+    DEBUG = 10
+    INFO = 20
+    WARN = 30
+    ERROR = 40
+    FATAL = 50
+
 
 DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
 _COLORS = {

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from tfloom.node.log import log_output
 from tfloom.node.log.log_file import log_directory
-from tfloom.node.log.logging_severity import LoggingSeverity
+from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 
 if TYPE_CHECKING:

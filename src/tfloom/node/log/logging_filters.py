@@ -8,8 +8,8 @@ from types import CodeType
 from typing import Any, NamedTuple
 
 from tfloom.common.seconds import checked_timeout, to_nanoseconds
-from tfloom.node.log.logging_severity import LoggingSeverity
-from tfloom.node.values.constants import INT64_MAX
+from tfloom.node.log.log_output import LoggingSeverity
+from tfloom.node.values.duration import INT64_MAX
 from tfloom.node.values.time import ReadableClock
 
 __all__ = ["CallState", "CallerId", "FilterTable", "options_error", "place_of"]

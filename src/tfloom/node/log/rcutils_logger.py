@@ -8,9 +8,8 @@ import time
 from typing import Any
 
 from tfloom.node.log import log_output
-from tfloom.node.log.log_output import Record
+from tfloom.node.log.log_output import LoggingSeverity, Record
 from tfloom.node.log.logging_filters import CallerId, CallState, FilterTable, options_error, place_of
-from tfloom.node.log.logging_severity import LoggingSeverity
 
 __all__ = ["CallerId", "RcutilsLogger", "ThrottledWarning"]
 

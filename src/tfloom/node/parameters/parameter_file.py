@@ -1,9 +1,12 @@
-"""Initial values of parameters, and the YAML files that hold them."""
+"""Initial values of parameters, and the YAML files that hold them.
+
+Empty lists from YAML don't have the type of their items: it is that of the node's declared parameter.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.common.text import shortened
@@ -12,9 +15,20 @@ from tfloom.node.values.scalars import parse_documents
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor
+
+__all__ = [
+    "EVERY_NODE",
+    "ParameterRule",
+    "checked_value",
+    "give_declared_types",
+    "give_types",
+    "read_parameter_file",
+    "untyped_names",
+]
+
 # A malformed file raises ValueError, whichever Python type the value has.
 
-__all__ = ["EVERY_NODE", "ParameterRule", "checked_value", "read_parameter_file"]
 
 EVERY_NODE = "/**"
 """The pattern that matches all nodes."""
@@ -143,3 +157,42 @@ def checked_value(name: str, value: Any) -> Any:
         kind_names = ", ".join(sorted(kind.__name__ for kind in kinds))
         raise ValueError(f"the list of '{name}' must be of one scalar type, not {kind_names}")
     return value
+
+
+_BYTE_ARRAY = 5
+"""The constant of `rcl_interfaces/msg/ParameterType`, the lowest of those of arrays."""
+
+
+def untyped_names(parameters: Iterable[Parameter]) -> list[str]:
+    """Return the names of those whose value is an empty list that was read from YAML, which is a BYTE_ARRAY."""
+    return [parameter.name for parameter in parameters if _is_untyped(parameter)]
+
+
+def give_declared_types(
+    parameters: Sequence[Parameter], describe: Callable[[str], Iterable[ParameterDescriptor]]
+) -> None:
+    """Give the empty lists among them the types that a node has for them.
+
+    Args:
+        parameters: The parameters, which are changed.
+        describe: Waits for the node's response, and returns its descriptors of a parameter. It is called for one name
+            at a time, because a node returns none if one of several names isn't declared.
+    """
+    types: dict[str, int] = {}
+    for name in untyped_names(parameters):
+        types.update((descriptor.name, descriptor.type) for descriptor in describe(name))
+    give_types(parameters, types)
+
+
+def give_types(parameters: Iterable[Parameter], types: Mapping[str, int]) -> None:
+    """Give the empty lists among them the types of a node's descriptors, by name; where there is none, they stay.
+
+    A parameter that was declared by its type has this type there, also while it has no value.
+    """
+    for parameter in parameters:
+        if _is_untyped(parameter):
+            parameter.value.type = max(types.get(parameter.name, 0), _BYTE_ARRAY)
+
+
+def _is_untyped(parameter: Parameter) -> bool:
+    return parameter.value.type == _BYTE_ARRAY and not parameter.value.byte_array_value

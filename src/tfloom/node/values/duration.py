@@ -1,16 +1,21 @@
-"""Durations."""
+"""Durations, and the limits of times."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
 from tfloom.common.seconds import given_time, no_time_of, not_a_number, to_nanoseconds
-from tfloom.node.values.constants import INT64_MAX, S_TO_NS
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
-__all__ = ["S_TO_NS", "Duration", "DurationType", "Infinite"]
+__all__ = ["INT64_MAX", "S_TO_NS", "Duration", "DurationType", "Infinite"]
+
+S_TO_NS = 1000 * 1000 * 1000
+"""Nanoseconds in a second."""
+
+INT64_MAX = 2**63 - 1
+"""The latest time and the longest duration [ns]: both are signed 64-bit counts."""
 
 
 class DurationType(Protocol):

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, overload
 
 from tfloom.common.seconds import given_time, no_time_of, to_nanoseconds
 from tfloom.common.text import describe_machine_clock
-from tfloom.node.values.constants import INT64_MAX, S_TO_NS
-from tfloom.node.values.duration import Duration
+from tfloom.node.values.duration import INT64_MAX, S_TO_NS, Duration
 from tfloom.node.values.exceptions import RCLError
 
 if TYPE_CHECKING:

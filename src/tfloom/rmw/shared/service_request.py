@@ -10,7 +10,7 @@ from typing import Any
 from tfloom._native import ReadyQueue
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import service_of
+from tfloom.rmw.typed_names import service_of
 from tfloom.rosidl import cdr
 
 __all__ = ["RESPONSE_S", "SERVER_S", "ServiceRequest", "ServiceRequestError"]

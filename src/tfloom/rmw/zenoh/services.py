@@ -12,12 +12,12 @@ from typing import Any, NamedTuple
 from tfloom._native import ReadyQueue
 from tfloom.common.signals import signals_deferred
 from tfloom.common.terminal import shown_part
-from tfloom.rmw.action_names import GET_RESULT
 from tfloom.rmw.base import NodeName, Request, RequestId, Response, Service
 from tfloom.rmw.errors import ForeignPeerError, WireError
 from tfloom.rmw.postponed_interrupt import uninterrupted_files
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import waiting_qos
+from tfloom.rmw.typed_names import GET_RESULT
 from tfloom.rmw.zenoh.attachment import pack, unpack
 from tfloom.rmw.zenoh.config import reason_of
 from tfloom.rmw.zenoh.end import ZenohEnd

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from tfloom.tf2_tools.diagnosis.catalogue import Severity
+from tfloom.tf2_tools.diagnosis.catalogue import Limits, Severity
 from tfloom.tf2_tools.diagnosis.finding import Finding
-from tfloom.tf2_tools.diagnosis.limits import Limits
 from tfloom.tf2_tools.diagnosis.name_checks import check_names
 from tfloom.tf2_tools.diagnosis.rate_checks import check_rates
 from tfloom.tf2_tools.diagnosis.subject import Subject

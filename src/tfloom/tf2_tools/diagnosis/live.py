@@ -8,12 +8,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
 from tfloom._native import HeaderSink
-from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.backends import WITHOUT_DDS, implementation_identifier
 from tfloom.rmw.base import NodeName, Participant, Reader, Sample, Service, Writer
 from tfloom.rmw.cyclone.graph import FAST_DDS
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
 from tfloom.rmw.topic_names import request_topic, response_topic
+from tfloom.rmw.typed_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.diagnosis.finding import Source
 from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject, begins_with_header

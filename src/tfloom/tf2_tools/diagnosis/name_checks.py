@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterator
 from itertools import pairwise
 
+from tfloom.tf2_tools.diagnosis.catalogue import Limits
 from tfloom.tf2_tools.diagnosis.finding import Finding
-from tfloom.tf2_tools.diagnosis.limits import Limits
 from tfloom.tf2_tools.diagnosis.subject import (
     Subject,
     evidence_of,
@@ -16,7 +16,7 @@ from tfloom.tf2_tools.diagnosis.subject import (
     source_of,
     sources_of,
 )
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 
 CONVENTIONAL = ("earth", "map", "odom", "base_link", "base_footprint")
 """The frames of REP 105 from the outermost inward, and that of REP 120."""

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 
 from tfloom._native import Spread
+from tfloom.tf2_tools.diagnosis.catalogue import GAP_PERIODS, MIN_COUNT, MIN_JITTER_S, Limits
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding
-from tfloom.tf2_tools.diagnosis.limits import GAP_PERIODS, MIN_COUNT, MIN_JITTER_S, Limits
 from tfloom.tf2_tools.diagnosis.subject import Subject, evidence_of, for_each_publisher
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 from tfloom.tf2_tools.watch.model import Edge
 
 

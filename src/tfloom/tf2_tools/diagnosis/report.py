@@ -9,7 +9,7 @@ from typing import NamedTuple
 from tfloom.tf2_tools.diagnosis.catalogue import GROUPS, Kind, Severity
 from tfloom.tf2_tools.diagnosis.finding import Finding
 from tfloom.tf2_tools.diagnosis.subject import Subject
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 
 SHOWN = 5
 """Number of lines of evidence that the text has of one finding."""

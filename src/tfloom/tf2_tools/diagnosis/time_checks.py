@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from statistics import median
 
+from tfloom.tf2_tools.diagnosis.catalogue import MIN_COUNT, Limits
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding
-from tfloom.tf2_tools.diagnosis.limits import MIN_COUNT, Limits
 from tfloom.tf2_tools.diagnosis.subject import (
     Subject,
     by_publisher,

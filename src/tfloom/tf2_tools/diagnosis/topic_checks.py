@@ -8,10 +8,10 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.qos import DurabilityPolicy, QoSPolicyKind, ReliabilityPolicy
+from tfloom.tf2_tools.diagnosis.catalogue import Limits
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding, Source
-from tfloom.tf2_tools.diagnosis.limits import Limits
 from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject, listed, source_of
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 
 TYPE = TFMessage._TYPE_NAME
 

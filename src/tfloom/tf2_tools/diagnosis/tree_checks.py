@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from tfloom.tf2_tools.diagnosis.catalogue import Limits
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding
-from tfloom.tf2_tools.diagnosis.limits import Limits
 from tfloom.tf2_tools.diagnosis.subject import (
     Subject,
     evidence_of,
@@ -16,7 +16,7 @@ from tfloom.tf2_tools.diagnosis.subject import (
     source_of,
     sources_of,
 )
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 from tfloom.tf2_tools.watch.model import Edge, Publisher, stored_name
 
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 
 from tfloom._native import EdgeStatistics, Step
+from tfloom.tf2_tools.diagnosis.catalogue import MAX_SPIN_DEG_S, Limits
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding
-from tfloom.tf2_tools.diagnosis.limits import MAX_SPIN_DEG_S, Limits
 from tfloom.tf2_tools.diagnosis.subject import Subject, evidence_of, for_each_publisher
 from tfloom.tf2_tools.watch.model import Edge
 

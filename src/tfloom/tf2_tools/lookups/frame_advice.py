@@ -6,7 +6,7 @@ import difflib
 from collections.abc import Iterable
 
 from tfloom.tf2_tools.lookups.lookup import Lookup
-from tfloom.tf2_tools.text.words import NS_PER_S, counted, seconds_text
+from tfloom.tf2_tools.text import NS_PER_S, counted, seconds_text
 from tfloom.tf2_tools.watch.model import Edge
 from tfloom.tf2_tools.watch.tree import Tree
 

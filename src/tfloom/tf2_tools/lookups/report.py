@@ -10,7 +10,7 @@ from tfloom.tf2.buffer import LATEST
 from tfloom.tf2_tools.lookups.advice import advise, remark
 from tfloom.tf2_tools.lookups.chain import Chain, Span
 from tfloom.tf2_tools.lookups.lookup import Lookup, Outcome
-from tfloom.tf2_tools.text.words import NS_PER_S, ago, seconds_text
+from tfloom.tf2_tools.text import NS_PER_S, ago, seconds_text
 from tfloom.tf2_tools.watch.model import Edge
 
 __all__ = ["TimeLine", "plain_values", "report_text"]

@@ -6,7 +6,7 @@ import math
 
 from tfloom.tf2_tools.lookups.chain import Span
 from tfloom.tf2_tools.lookups.lookup import Lookup
-from tfloom.tf2_tools.text.words import NS_PER_S, seconds_text
+from tfloom.tf2_tools.text import NS_PER_S, seconds_text
 
 __all__ = ["future", "one_sample", "past"]
 

@@ -12,7 +12,7 @@ from tfloom.tf2_tools.drawing.colors import FAINT, HAIRLINE, INK, SUBTITLE, TEXT
 from tfloom.tf2_tools.drawing.fonts import elided, printable
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Path, Pen, Picture, Point, Shape, Text
 from tfloom.tf2_tools.plot.motion import Motion
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 
 if TYPE_CHECKING:
     import numpy as np

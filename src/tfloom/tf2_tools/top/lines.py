@@ -11,8 +11,7 @@ from rich.cells import cell_len, set_cell_size
 from tfloom.common.terminal import shown_name
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import TransformException
-from tfloom.tf2_tools.text.transform import matrix_from_quaternion, rpy_from_matrix
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted, matrix_from_quaternion, rpy_from_matrix
 from tfloom.tf2_tools.top.rows import Health, Row
 from tfloom.tf2_tools.top.view import HELP, View
 

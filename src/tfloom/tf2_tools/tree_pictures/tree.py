@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from tfloom.tf2_tools.drawing.tree_layout import Layout, Size, arrange
-from tfloom.tf2_tools.text.words import counted
+from tfloom.tf2_tools.text import counted
 from tfloom.tf2_tools.tree_pictures.records import FrameRecord
 
 STALE_S = 1.0

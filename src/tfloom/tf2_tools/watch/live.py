@@ -10,7 +10,7 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Reader
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2_tools.watch.model import LISTENER_QOS, TOPICS, Description, Observation, observation_of
 

@@ -14,7 +14,7 @@ from tfloom.interfaces.geometry_msgs.msg import Twist, TwistStamped, Vector3
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:

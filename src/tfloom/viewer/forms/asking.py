@@ -8,7 +8,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.interfaces.action_msgs.msg import GoalInfo
-from tfloom.rmw.action_names import (
+from tfloom.rmw.qos import QoS
+from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
+from tfloom.rmw.typed_names import (
     CANCEL_GOAL,
     CANCEL_REFUSALS,
     FEEDBACK,
@@ -17,10 +19,8 @@ from tfloom.rmw.action_names import (
     SEND_GOAL,
     key_of,
     new_goal_id,
+    topic_of,
 )
-from tfloom.rmw.qos import QoS
-from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
-from tfloom.rmw.shared.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.rosidl.yaml_text import message_to_yaml
 from tfloom.viewer.forms.task import Task

@@ -11,11 +11,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.node.values.names import NameValidationException, validate_full_topic_name
-from tfloom.rmw.action_names import SEND_GOAL, SEND_GOAL_TYPE
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rmw.shared.peer_types import TypeSearch
 from tfloom.rmw.shared.service_request import ServiceRequestError
-from tfloom.rmw.shared.typed_names import topic_of
+from tfloom.rmw.typed_names import SEND_GOAL, SEND_GOAL_TYPE, topic_of
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind, full_name
 from tfloom.rosidl.definition_files import interface_names
 from tfloom.rosidl.message import Message

@@ -9,22 +9,22 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, List, Union  # the type that `Entity.get_attr` takes for children
 
-from tfloom.launch.core.entity import Entity, ParsesActions
-from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.missing import marked_as_missing
-from tfloom.launch.core.substitution import (
+from tfloom.launch.core.base_classes import (
+    LaunchDescriptionEntity,
     SomeSubstitutionsType,
     SomeSubstitutionsType_types_tuple,
     SubstitutionFailure,
 )
+from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.launch_context import LaunchContext
+from tfloom.launch.core.missing import marked_as_missing
 from tfloom.launch.entities.action import Action
 from tfloom.launch.events.event_handlers import OnProcessStart
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.ros import configurations
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.descriptions.composable_node import ComposableNode, parse_composable_nodes
+from tfloom.launch.ros.composable_node import ComposableNode, parse_composable_nodes
 from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.ros.service_calls import call_service
 from tfloom.launch.ros.utilities.evaluate_parameters import evaluate_parameters, to_parameters_list

@@ -7,17 +7,16 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.launch.actions.opaque import OpaqueFunction
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.entities.action import Action
 from tfloom.launch.entities.event_handler import EventHandler
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.ros.actions.node import Node
-from tfloom.launch.ros.events.lifecycle_events import ChangeState, StateTransition
+from tfloom.launch.ros.lifecycle_events import ChangeState, StateTransition
 from tfloom.launch.ros.ros_adapters import get_ros_node
 from tfloom.launch.ros.service_calls import call_service
 

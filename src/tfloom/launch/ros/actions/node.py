@@ -7,17 +7,16 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstitutionsType
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.launch_description_entity import LaunchDescriptionEntity
-from tfloom.launch.core.substitution import SomeSubstitutionsType
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.ros import configurations
 from tfloom.launch.ros.parameter_descriptions import Parameter
 from tfloom.launch.ros.parameters_type import SomeParameters
-from tfloom.launch.ros.substitutions.executable_in_package import ExecutableInPackage
+from tfloom.launch.ros.substitutions import ExecutableInPackage
 from tfloom.launch.ros.utilities.names import (
     SomeRemapRules,
     add_node_name,

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.launch.actions.texts import ActionOfTexts
+from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution, SubstitutionFailure
 from tfloom.launch.core.entity import Entity, ParsesActions
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import SomeSubstitutionsType, Substitution, SubstitutionFailure
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.ros import configurations

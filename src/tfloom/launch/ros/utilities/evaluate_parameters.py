@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from tfloom.common.text import shortened
+from tfloom.launch.core.base_classes import Substitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.core.substitution import Substitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from tfloom.launch.ros.parameters_type import (
     EvaluatedParameters,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from tfloom.common.seconds import plain_value
-from tfloom.launch.core.substitution import Substitution, TextSubstitution
+from tfloom.launch.core.base_classes import Substitution, TextSubstitution
 from tfloom.launch.ros.parameter_descriptions import Parameter, ParameterFile
 from tfloom.launch.ros.parameter_descriptions import ParameterValue as ParameterValueDescription
 from tfloom.launch.ros.parameters_type import (

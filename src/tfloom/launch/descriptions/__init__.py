@@ -1,1 +1,0 @@
-"""Descriptions of what actions run."""

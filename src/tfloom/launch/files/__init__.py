@@ -1,0 +1,1 @@
+"""Launch files: descriptions in Python, XML and YAML."""

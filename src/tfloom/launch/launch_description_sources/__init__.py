@@ -1,1 +1,0 @@
-"""Launch descriptions in files."""

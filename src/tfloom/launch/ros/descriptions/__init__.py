@@ -1,1 +1,0 @@
-"""Descriptions of what a node is given."""

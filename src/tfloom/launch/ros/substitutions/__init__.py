@@ -1,1 +1,0 @@
-"""Substitutions by packages and parameters."""

@@ -1,1 +1,0 @@
-"""Counts, durations, dates and transforms as the tools print them."""
