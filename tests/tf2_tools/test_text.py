@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tfloom.tf2_tools.text import matrix_from_quaternion, rpy_from_matrix, transform_text
 
-ROOT = Path(__file__).parents[3]
+ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden" / "cli"
 HALF = math.sqrt(0.5)
 
