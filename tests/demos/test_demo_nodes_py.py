@@ -11,6 +11,8 @@ import pytest
 from tests.conftest import Program, python_with
 from tests.spun import SpunNode, spun
 
+from tfloom.workspace import index
+
 GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 NAMES = [
     *("add_two_ints_client", "add_two_ints_client_async", "add_two_ints_server", "async_param_client"),
@@ -25,9 +27,15 @@ def start(start_program: Start, domain_id: int) -> Start:
     return lambda name, *words: start_program("tfloom", "run", "demo_nodes_py", name, *words)
 
 
+def module_of(name: str) -> str:
+    """Return the module of a program."""
+    return index.PROGRAMS["demo_nodes_py"][name].partition(":")[0]
+
+
 def main_of(name: str) -> str:
     """Return the Python code that runs a program."""
-    return f"from tfloom.demos.demo_nodes_py.{name} import main; sys.exit(main(sys.argv[1:]))"
+    function = index.PROGRAMS["demo_nodes_py"][name].partition(":")[2]
+    return f"from {module_of(name)} import {function} as main; sys.exit(main(sys.argv[1:]))"
 
 
 @pytest.fixture
@@ -35,9 +43,7 @@ def start_quick(start_program: Start, domain_id: int) -> Start:
     """Start programs with a module constant replaced: `start_quick("talker", {"PERIOD_S": 0.2}, *words)`."""
 
     def start(name: str, constants: dict[str, float], *words: str) -> Program:
-        full = {
-            f"tfloom.demos.demo_nodes_py.{name}.{constant}": value for constant, value in constants.items()
-        }
+        full = {f"{module_of(name)}.{constant}": value for constant, value in constants.items()}
         return start_program("python", *python_with(full, main_of(name), *words))
 
     return start

@@ -1,4 +1,4 @@
-"""async_param_client: set, list, get, load and delete parameters of another node, parameter_blackboard."""
+"""Parameters: a node that stores all that clients set, one with callbacks, and a client."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.common.terminal import report
+from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
 from tfloom.node.builtin.parameter_client import AsyncParameterClient
-from tfloom.node.client_library import ok, spin_until_future_complete
+from tfloom.node.client_library import ok, spin, spin_until_future_complete
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import (
@@ -17,7 +18,86 @@ from tfloom.node.parameters.parameter import (
 )
 from tfloom.node.program import expect_no_arguments, run_program
 
-__all__ = ["main"]
+__all__ = [
+    "ParameterBlackboard",
+    "SetParametersCallback",
+    "async_param_client_main",
+    "parameter_blackboard_main",
+    "set_parameters_callback_main",
+]
+
+
+class ParameterBlackboard(Node):
+    """Allows every parameter, and declares those of its command line."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "parameter_blackboard",
+            allow_undeclared_parameters=True,
+            automatically_declare_parameters_from_overrides=True,
+        )
+        count = len(self.get_parameters_by_prefix(""))
+        self.get_logger().info(
+            f"Parameter blackboard node named '{self.get_fully_qualified_name()}' ready, "
+            f"and serving '{count}' parameters already!"
+        )
+
+
+def parameter_blackboard_main(args: list[str] | None = None) -> int:
+    """Store parameters until stopped; return the exit code."""
+    expect_no_arguments("parameter_blackboard", "Store all parameters that clients set.", args)
+    return run_program(args, lambda: spin(ParameterBlackboard()))
+
+
+FIRST, SECOND = "param1", "param2"
+SECOND_VALUE = 4.0
+
+
+class SetParametersCallback(Node):
+    """Declares param1 and param2, and stores their values in attributes, too.
+
+    `ros2 param set /set_parameters_callback param1 28.0` sets param2 to 4.0 as well.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("set_parameters_callback")
+        self.internal_tracked_param_1 = self.declare_parameter(FIRST, 0.0).value
+        self.internal_tracked_param_2 = self.declare_parameter(SECOND, 0.0).value
+        self.add_pre_set_parameters_callback(self.add_second)
+        self.add_on_set_parameters_callback(self.judge)
+        self.add_post_set_parameters_callback(self.track)
+
+    def add_second(self, parameter_list: list[Parameter]) -> list[Parameter]:
+        """Return the parameters to set instead of `parameter_list`."""
+        second = Parameter(SECOND, Parameter.Type.DOUBLE, SECOND_VALUE)
+        return parameter_list + [second for parameter in parameter_list if parameter.name == FIRST]
+
+    def judge(self, parameter_list: list[Parameter]) -> SetParametersResult:
+        """Return whether all of them may be set."""
+        result = SetParametersResult(successful=True)
+        for parameter in parameter_list:
+            if parameter.name in {FIRST, SECOND}:
+                result.reason = f"success {parameter.name}"
+        return result
+
+    def track(self, parameter_list: list[Parameter]) -> None:
+        """Store the values that have been set."""
+        for parameter in parameter_list:
+            if parameter.name == FIRST:
+                self.internal_tracked_param_1 = parameter.value
+            elif parameter.name == SECOND:
+                self.internal_tracked_param_2 = parameter.value
+
+
+def set_parameters_callback_main(args: list[str] | None = None) -> int:
+    """Serve the parameters until stopped; return the exit code."""
+    expect_no_arguments(
+        "set_parameters_callback",
+        "Declare the parameters param1 and param2; setting the first sets both.",
+        args,
+    )
+    return run_program(args, lambda: spin(SetParametersCallback()))
+
 
 BLACKBOARD = "parameter_blackboard"
 MISSING = (
@@ -100,7 +180,7 @@ def run_tour() -> int:
     return 0
 
 
-def main(args: list[str] | None = None) -> int:
+def async_param_client_main(args: list[str] | None = None) -> int:
     """Run the demonstration; return the exit code."""
     expect_no_arguments(
         "async_param_client",
