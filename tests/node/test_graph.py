@@ -13,8 +13,8 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.qos.endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
-from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum
 from tfloom.node.values.exceptions import NodeNameNonExistentError
 
 MakeNode = Callable[..., Node]

@@ -27,9 +27,9 @@ from tfloom.node.lifecycle.managed_entity import TransitionCallbackReturn
 from tfloom.node.lifecycle.node import LifecycleNode
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.qos.endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum, TypeHash
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, _declare_qos_parameters
-from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum, TypeHash
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.names import expand_topic_name
@@ -150,8 +150,10 @@ def test_a_subscriptions_handle_takes_messages(node: Node) -> None:
     publisher.publish(String(data="two"))
     message, info = handle.take_message(String, False)
     assert message == String(data="one")
+    assert info["publisher_gid"]["data"] == publisher.gid
     assert sorted(info) == [
         "publication_sequence_number",
+        "publisher_gid",
         "received_timestamp",
         "reception_sequence_number",
         "source_timestamp",

@@ -147,7 +147,7 @@ ROWS = {
     "ActionServer(None, RotateAbsolute, 'a', print)": "TypeError: ActionServer() needs a node, got None",
     "ActionServer(node, String, 'a', print)": "RuntimeError: this might be a message or service",
     "ActionServer(node, RotateAbsolute, None, print)": "TypeError: a service name must be a str, not None",
-    "ActionServer(node, RotateAbsolute, 'a', None)": "TypeError: Failed to register goal execution callback",
+    "ActionServer(node, RotateAbsolute, 'a', 3)": "TypeError: Failed to register goal execution callback",
     "ActionServer(node, RotateAbsolute, 'a', print, goal_callback=3)": "TypeError: goal callback: not callable, got 3",
     # Timers, rates and clocks
     "node.create_timer(Duration(seconds=1), print)": "TypeError: needs a period in seconds, as 0.5, got Duration",

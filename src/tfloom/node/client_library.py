@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
     from tfloom.node.executing.executor import Executor
     from tfloom.node.node import Node
+    from tfloom.node.qos.qos import QoSProfile
 
 __all__ = [
     "Context",
@@ -139,14 +140,16 @@ def create_node(
     namespace: str | None = None,
     use_global_arguments: bool = True,
     enable_rosout: bool = True,
+    rosout_qos_profile: QoSProfile | int | None = None,
     start_parameter_services: bool = True,
     parameter_overrides: list[Parameter] | None = None,
     allow_undeclared_parameters: bool = False,
     automatically_declare_parameters_from_overrides: bool = False,
     enable_logger_service: bool = False,
 ) -> Node:
-    """Return a new node; the arguments are those of `Node`."""
+    """Return a new node; the arguments are those of `Node`, with None for the usual QoS of /rosout."""
     from tfloom.node.node import Node
+    from tfloom.node.qos.qos import qos_profile_rosout_default
 
     return Node(
         node_name,
@@ -155,6 +158,7 @@ def create_node(
         namespace=namespace,
         use_global_arguments=use_global_arguments,
         enable_rosout=enable_rosout,
+        rosout_qos_profile=qos_profile_rosout_default if rosout_qos_profile is None else rosout_qos_profile,
         start_parameter_services=start_parameter_services,
         parameter_overrides=parameter_overrides,
         allow_undeclared_parameters=allow_undeclared_parameters,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from types import FunctionType
 from typing import TYPE_CHECKING
 
-from tfloom.node.base.node_base import NodeBase
+from tfloom.node.base.node_base import NodeBase, as_profile, profile_error
 from tfloom.node.builtin.parameter_service import ParameterService
 from tfloom.node.builtin.rosout import Rosout
 from tfloom.node.builtin.time_source import TimeSource
@@ -13,6 +13,7 @@ from tfloom.node.builtin.type_description_service import TypeDescriptionService
 from tfloom.node.context.arguments import Arguments, parse_arguments, warn_of_deprecated_remaps
 from tfloom.node.context.utilities import get_default_context
 from tfloom.node.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, no_parameter_error
+from tfloom.node.qos.qos import QoSProfile, qos_profile_rosout_default
 from tfloom.node.values.duration import S_TO_NS
 from tfloom.node.values.names import namespace_error, node_name_error
 from tfloom.node.values.type_support import MsgType, SrvType, SrvTypeRequest, SrvTypeResponse
@@ -49,6 +50,7 @@ class Node(NodeBase):
         namespace: Its namespace, with or without the first slash; None: the root. `-r __ns:=` replaces it.
         use_global_arguments: Whether the program's ROS arguments apply to it.
         enable_rosout: Whether its log records are published on /rosout.
+        rosout_qos_profile: QoS of that; a number is the depth of a KEEP_LAST history.
         start_parameter_services: Whether it has services that read and set its parameters.
         parameter_overrides: First values of parameters; they take precedence over those of the command line.
         allow_undeclared_parameters: Whether parameters may be set that aren't declared.
@@ -60,7 +62,9 @@ class Node(NodeBase):
         NotInitializedException: the context isn't initialised, or shut down.
         InvalidNodeNameException: the name isn't valid.
         InvalidNamespaceException: the namespace isn't valid.
-        TypeError: a name is not a text, or an override is not a Parameter.
+        TypeError: a name is not a text, an override is not a Parameter, or `rosout_qos_profile` neither a profile
+            nor a number.
+        ValueError: `rosout_qos_profile` is a negative number.
         RCLInvalidROSArgsError: one of `cli_args` is malformed.
     """
 
@@ -77,6 +81,7 @@ class Node(NodeBase):
         namespace: str | None = None,
         use_global_arguments: bool = True,
         enable_rosout: bool = True,
+        rosout_qos_profile: QoSProfile | int = qos_profile_rosout_default,
         start_parameter_services: bool = True,
         parameter_overrides: list[Parameter] | None = None,
         allow_undeclared_parameters: bool = False,
@@ -91,6 +96,8 @@ class Node(NodeBase):
         if (error := namespace_error(full_namespace)) is not None:
             raise error
         if (error := no_parameter_error(parameter_overrides or ())) is not None:
+            raise error
+        if (error := profile_error(rosout_qos_profile)) is not None:
             raise error
         context = context or get_default_context()
         if (error := context.joining_error()) is not None:
@@ -110,7 +117,7 @@ class Node(NodeBase):
         )
         try:
             if enable_rosout and arguments.rosout_logs:
-                Rosout(self)
+                Rosout(self, as_profile(rosout_qos_profile))
             self.__time_source = TimeSource(node=self)
             self.__time_source.attach_clock(self.get_clock())
             if start_parameter_services:

@@ -18,7 +18,7 @@ from tfloom.node.parameters.parameter import Parameter
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from tfloom.node.action.graph import NamesAndTypes
+    from tfloom.node.base.node_graph import NamesAndTypes
 
 __all__ = ["DEFAULT_TIMEOUT", "DirectNode", "add_arguments"]
 

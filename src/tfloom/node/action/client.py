@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from tfloom.node.endpoints.client import Client
+    from tfloom.node.endpoints.subscription import MessageInfo
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
 
@@ -438,7 +439,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             if len(self._ended_ns) > MAX_ENDED:
                 self._forget_feedback(self._ended_ns.popitem(last=False)[0])
 
-    def _on_feedback(self, message: Any, info: dict[str, Any]) -> Any:
+    def _on_feedback(self, message: Any, info: MessageInfo) -> Any:
         key = key_of(message.goal_id)
         callback = self._feedback_callbacks.get(key)
         ended_ns = self._ended_ns.get(key)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from tfloom.rmw.typed_names import FEEDBACK
+from tfloom.node.base.node_graph import NamesAndTypes, actions_of_topics
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -16,20 +15,17 @@ __all__ = [
     "get_action_server_names_and_types_by_node",
 ]
 
-_TYPE_SUFFIX = "_FeedbackMessage"
-NamesAndTypes = list[tuple[str, list[str]]]
-
 
 def get_action_names_and_types(node: Node) -> NamesAndTypes:
     """Return all actions that have a server or a client, with their types."""
-    return _actions_of_topics(node.get_topic_names_and_types())
+    return actions_of_topics(node.get_topic_names_and_types())
 
 
 def get_action_server_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
     """Return the actions that a node serves; RuntimeError if there is no such node."""
-    return _actions_of_topics(
+    return actions_of_topics(
         node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace)
     )
 
@@ -38,15 +34,6 @@ def get_action_client_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
     """Return the actions that a node is a client of; RuntimeError if there is no such node."""
-    return _actions_of_topics(
+    return actions_of_topics(
         node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace)
     )
-
-
-def _actions_of_topics(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
-    """Return the actions among topics, by their feedback topics, which both servers and clients have."""
-    return [
-        (name.removesuffix(FEEDBACK), [type_name.removesuffix(_TYPE_SUFFIX) for type_name in types])
-        for name, types in topics
-        if name.endswith(FEEDBACK)
-    ]

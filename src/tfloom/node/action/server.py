@@ -114,7 +114,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         action_type: Class of the action.
         action_name: Its name; it is expanded and remapped.
         execute_callback: Called with a goal handle; ends the goal, and returns its result. It runs as a task of the
-            executor, in no callback group.
+            executor, in no callback group. None: `handle_accepted_callback` executes goals by a callback that it
+            passes to their `execute`.
         callback_group: Group of the three callbacks below; None: the node's own.
         goal_callback: Called with a goal; returns whether it is accepted. Default: accept.
         handle_accepted_callback: Called with the handle of an accepted goal. Default: execute it.
@@ -138,7 +139,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         node: Node,
         action_type: type[Action[GoalT, ResultT, FeedbackT]],
         action_name: str,
-        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT],
+        execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] | None,
         *,
         callback_group: CallbackGroup | None = None,
         goal_callback: GoalCallback[GoalT] = default_goal_callback,
@@ -173,7 +174,9 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         """Whether a thread publishes the states."""
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._ended_ns: dict[bytes, int] = {}
-        self._execute_callback = _checked_callable(execute_callback, "goal execution")
+        self._execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] = _checked_callable(
+            execute_callback, "goal execution", _no_execute_callback
+        )
         self._goal_callback = _checked_callable(goal_callback, "goal", default_goal_callback)
         self._handle_accepted_callback = _checked_callable(
             handle_accepted_callback, "handle accepted", default_handle_accepted_callback
@@ -483,6 +486,14 @@ async def _raise_all(errors: list[Exception]) -> None:
     for error in errors[1:]:
         print_error(error)
     raise errors[0]
+
+
+def _no_execute_callback(goal_handle: ServerGoalHandle) -> None:
+    """Fail a goal that is executed without a callback."""
+    raise TypeError(
+        "the action server has no execute callback, and the goal was executed without one: give "
+        "handle_accepted_callback a function that calls goal_handle.execute(callback)"
+    )
 
 
 def _checked_callable(callback: Any, what: str, default: Any = None) -> Any:

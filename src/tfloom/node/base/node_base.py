@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, overload
 from tfloom.common.seconds import checked_timeout, not_a_number, to_nanoseconds, too_long
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_entities import NodeEntities
-from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph
+from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph, actions_of_topics
 from tfloom.node.base.node_names import NodeNames
 from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.context.arguments import Arguments
@@ -65,11 +65,12 @@ if TYPE_CHECKING:
     from tfloom.node.endpoints.subscription import SubscriptionCallback
     from tfloom.node.executing.entity import Entity
     from tfloom.node.executing.executor import Executor
+    from tfloom.node.executing.timer import TimerCallback
     from tfloom.node.executing.waitable import Waitable
-    from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
+    from tfloom.node.qos.endpoint_info import ServiceEndpointInfo, TopicEndpointInfo
     from tfloom.rmw.base import NodeName, Participant
 
-__all__ = ["NodeBase", "open_endpoint"]
+__all__ = ["NodeBase", "as_profile", "open_endpoint", "profile_error"]
 
 PARAMETER_EVENTS_TOPIC = "/parameter_events"
 WireEndpoint = TypeVar("WireEndpoint")
@@ -440,6 +441,48 @@ class NodeBase:
         name = topic_name if no_mangle else self.__graph.queried_name(topic_name)
         return self.__graph.endpoints(name, is_writer=False, no_mangle=no_mangle)
 
+    def get_clients_info_by_service(
+        self, service_name: str, no_mangle: bool = False
+    ) -> list[ServiceEndpointInfo]:
+        """Return the clients of a service.
+
+        Args:
+            service_name: Its name, which is expanded and remapped.
+            no_mangle: Whether it is the wire's own name of the topic of requests, used unchanged, as `rq/addRequest`.
+
+        Raises:
+            InvalidServiceNameException: the name isn't valid.
+        """
+        name = service_name if no_mangle else self.__graph.queried_name(service_name, is_service=True)
+        return self.__graph.service_endpoints(name, is_server=False, no_mangle=no_mangle)
+
+    def get_servers_info_by_service(
+        self, service_name: str, no_mangle: bool = False
+    ) -> list[ServiceEndpointInfo]:
+        """Return the servers of a service.
+
+        Args:
+            service_name: Its name, which is expanded and remapped.
+            no_mangle: Whether it is the wire's own name of the topic of requests, used unchanged, as `rq/addRequest`.
+
+        Raises:
+            InvalidServiceNameException: the name isn't valid.
+        """
+        name = service_name if no_mangle else self.__graph.queried_name(service_name, is_service=True)
+        return self.__graph.service_endpoints(name, is_server=True, no_mangle=no_mangle)
+
+    def get_action_names_and_types(self) -> NamesAndTypes:
+        """Return all actions that have a server or a client, with their types."""
+        return actions_of_topics(self.__graph.topics(no_demangle=False))
+
+    def get_action_server_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions that a node serves, with their types; RuntimeError if there is no such node."""
+        return actions_of_topics(self.get_publisher_names_and_types_by_node(node_name, node_namespace))
+
+    def get_action_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
+        """Return the actions that a node is a client of, with their types; RuntimeError if there is no such node."""
+        return actions_of_topics(self.get_subscriber_names_and_types_by_node(node_name, node_namespace))
+
     # Parameters
 
     def declare_parameter(
@@ -703,7 +746,7 @@ class NodeBase:
             InvalidQosOverridesError: the parameters give an invalid profile.
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
-        error = msg_type_error(msg_type) or name_error(topic) or _profile_error(qos_profile)
+        error = msg_type_error(msg_type) or name_error(topic) or profile_error(qos_profile)
         error = error or group_error(callback_group)
         if error is not None:
             raise error
@@ -738,6 +781,7 @@ class NodeBase:
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: Literal[False] = False,
+        acceptable_buffer_backends: str | None = None,
     ) -> Subscription[MsgType]: ...
 
     @overload
@@ -752,6 +796,7 @@ class NodeBase:
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool,
+        acceptable_buffer_backends: str | None = None,
     ) -> Subscription[MsgType]: ...
 
     def create_subscription(
@@ -765,6 +810,7 @@ class NodeBase:
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
+        acceptable_buffer_backends: str | None = None,  # for the reference's signature
     ) -> Subscription[MsgType]:
         """Create a subscription.
 
@@ -777,6 +823,8 @@ class NodeBase:
             event_callbacks: Callbacks for its events; None: a warning is logged about incompatible QoS.
             qos_overriding_options: Which policies parameters may override; None: none.
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
+            acceptable_buffer_backends: Unused, because buffers are of this computer's memory alone; kept for the
+                signature of later releases.
 
         Raises:
             AttributeError: `msg_type` is not a ROS type.
@@ -787,7 +835,7 @@ class NodeBase:
             RuntimeError: `callback` takes neither one argument nor two.
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
-        error = msg_type_error(msg_type) or name_error(topic) or _profile_error(qos_profile)
+        error = msg_type_error(msg_type) or name_error(topic) or profile_error(qos_profile)
         if (error := error or callback_error(callback) or group_error(callback_group)) is not None:
             raise error
         entities = self.__entities
@@ -818,7 +866,7 @@ class NodeBase:
     def __profile(
         self, kind: str, topic_name: str, qos_profile: QoSProfile | int, options: QoSOverridingOptions | None
     ) -> QoSProfile:
-        profile = _profile(qos_profile)
+        profile = as_profile(qos_profile)
         if options is None:
             return profile
         return apply_overrides(self.__parameters, kind, topic_name, profile, options)
@@ -932,7 +980,7 @@ class NodeBase:
     def create_timer(
         self,
         timer_period_sec: float,
-        callback: Callable[[], Any] | None,
+        callback: TimerCallback | None,
         callback_group: CallbackGroup | None = None,
         clock: Clock | None = None,
         autostart: bool = True,
@@ -941,7 +989,8 @@ class NodeBase:
 
         Args:
             timer_period_sec: The period [s].
-            callback: Called without arguments, on a thread of the executor; None, with a warning, only wakes it.
+            callback: Called on a thread of the executor; None, with a warning, only wakes it. A parameter that is
+                annotated as `rclpy.timer.TimerInfo` gets the times of the call; there are no other arguments.
             callback_group: Its group; None: the node's own.
             clock: Clock of the period; None: the node's.
             autostart: Whether it is started at once; otherwise by its first `reset`.
@@ -975,7 +1024,7 @@ class NodeBase:
     def __timer(
         self,
         period_ns: int,
-        callback: Callable[[], Any] | None,
+        callback: TimerCallback | None,
         callback_group: CallbackGroup | None,
         clock: Clock | None,
         *,
@@ -1157,11 +1206,12 @@ class NodeBase:
         return self.__entities.open(endpoint, create)
 
 
-def _profile(qos_profile: QoSProfile | int) -> QoSProfile:
+def as_profile(qos_profile: QoSProfile | int) -> QoSProfile:
+    """Return a profile as it is, and a depth as a profile of it."""
     return qos_profile if isinstance(qos_profile, QoSProfile) else QoSProfile(depth=qos_profile)
 
 
-def _profile_error(qos_profile: Any) -> Exception | None:
+def profile_error(qos_profile: Any) -> Exception | None:
     """Return the error of what is neither a profile nor a depth."""
     if isinstance(qos_profile, QoSProfile):
         return None

@@ -7,19 +7,24 @@ import time
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from tfloom.node.qos.topic_endpoint_info import TopicEndpointInfo
+from tfloom.node.qos.endpoint_info import ServiceEndpointInfo, TopicEndpointInfo
 from tfloom.node.values.exceptions import InvalidHandle, NodeNameNonExistentError
 from tfloom.node.values.names import expansion_error
-from tfloom.rmw.base import NodeName
+from tfloom.rmw.base import NodeName, Service
+from tfloom.rmw.topic_names import response_topic
+from tfloom.rmw.typed_names import FEEDBACK
 
 if TYPE_CHECKING:
     from tfloom.node.base.node_names import NodeNames
     from tfloom.rmw.base import EndpointInfo, Graph, ServiceEndInfo
 
-__all__ = ["NodeGraph"]
+__all__ = ["NamesAndTypes", "NodeGraph", "actions_of_topics"]
 
 NamesAndTypes = list[tuple[str, list[str]]]
 _POLL_PERIOD_S = 0.02
+FEEDBACK_TYPE_SUFFIX = "_FeedbackMessage"
+PREFIX_LENGTH = 12
+"""The bytes of a gid on DDS that are the participant's."""
 
 
 class NodeGraph:
@@ -148,12 +153,58 @@ class NodeGraph:
             if info.topic.name == name and info.is_writer == is_writer
         ]
 
+    def service_endpoints(
+        self, name: str, *, is_server: bool, no_mangle: bool = False
+    ) -> list[ServiceEndpointInfo]:
+        """Return the servers, or the clients, of a service; `no_mangle`: by the name of its topic of requests."""
+        raw = self.wire_graph.raw_endpoints()
+        if no_mangle:
+            gids = {info.gid for info in raw if info.topic.name == name}
+            ends = [info for info in self.wire_graph.service_ends() if info.gid in gids]
+        else:
+            ends = [info for info in self.wire_graph.service_ends() if info.name == name]
+        ends = [info for info in ends if info.is_server == is_server]
+        if not ends:
+            return []
+        # A server writes its responses, a client reads them.
+        topic = response_topic(Service(ends[0].name, ends[0].type_name)).name
+        responses = [info for info in raw if info.topic.name == topic and info.is_writer == is_server]
+        return [
+            ServiceEndpointInfo.from_graph(end, response)
+            for end, response in _with_responses(ends, responses)
+        ]
+
     def _all_endpoints(self, is_raw: bool) -> list[EndpointInfo]:
         return self.wire_graph.raw_endpoints() if is_raw else self.wire_graph.endpoints()
 
 
+def _with_responses(
+    ends: Iterable[ServiceEndInfo], responses: Iterable[EndpointInfo]
+) -> Iterable[tuple[ServiceEndInfo, EndpointInfo | None]]:
+    """Yield each end of a service with its endpoint of responses, in their order within one participant.
+
+    On the wire nothing links the two but the participant, whose id begins the gids of both. It numbers its endpoints in
+    the order in which it creates them.
+    """
+    waiting: dict[bytes, list[EndpointInfo]] = {}
+    for response in sorted(responses, key=lambda info: info.gid):
+        waiting.setdefault(response.gid[:PREFIX_LENGTH], []).append(response)
+    for end in sorted(ends, key=lambda info: info.gid):
+        own = waiting.get(end.gid[:PREFIX_LENGTH])
+        yield end, own.pop(0) if own else None
+
+
 def _topics(endpoints: Iterable[EndpointInfo]) -> NamesAndTypes:
     return _grouped((info.topic.name, info.topic.type_name) for info in endpoints)
+
+
+def actions_of_topics(topics: Iterable[tuple[str, list[str]]]) -> NamesAndTypes:
+    """Return the actions among topics, by their feedback topics, which both servers and clients have."""
+    return [
+        (name.removesuffix(FEEDBACK), [type_name.removesuffix(FEEDBACK_TYPE_SUFFIX) for type_name in types])
+        for name, types in topics
+        if name.endswith(FEEDBACK)
+    ]
 
 
 def _services(ends: Iterable[ServiceEndInfo]) -> NamesAndTypes:

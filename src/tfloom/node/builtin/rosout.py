@@ -10,7 +10,7 @@ from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
 from tfloom.node.base.node_base import NodeBase, open_endpoint
 from tfloom.node.log import log_output
 from tfloom.node.log.rcutils_logger import RcutilsLogger
-from tfloom.node.qos.qos import qos_profile_rosout_default
+from tfloom.node.qos.qos import QoSProfile, qos_profile_rosout_default
 from tfloom.node.values.duration import S_TO_NS
 from tfloom.node.values.time import check_fits_stamp
 from tfloom.rmw.errors import ClosedError
@@ -35,7 +35,7 @@ class Rosout:
     Of several nodes of a context with one name, the oldest publishes, because they share the logger.
     """
 
-    def __init__(self, node: NodeBase) -> None:
+    def __init__(self, node: NodeBase, qos_profile: QoSProfile = qos_profile_rosout_default) -> None:
         topic = topic_of(rcl_msg.Log, TOPIC)
         # The node destroys it from `open_endpoint` on, even if Ctrl-C ends the rest.
         self._writer: Writer | None = None
@@ -44,7 +44,7 @@ class Rosout:
         self._writer = open_endpoint(
             node,
             self,
-            lambda wire, name: wire.create_writer(name, topic, qos_profile_rosout_default.to_wire()),
+            lambda wire, name: wire.create_writer(name, topic, qos_profile.to_wire()),
         )
         self._twins = _by_context.setdefault(node.context, {}).setdefault(self._logger_name, [])
         if self._twins:

@@ -102,6 +102,8 @@ class Context:
         """Nodes that the garbage collector has finalized. Appended and popped without the lock."""
         self._is_from_parent_process = False
         """Whether the parent process, from which this one was forked, used it. Set before the child's first thread."""
+        self._tracked: weakref.WeakSet[DestroyableNode] = weakref.WeakSet()
+        """Nodes that a program wants to be destroyed at shutdown."""
         self._domain_id: int | None = None
         self._arguments = Arguments()
         self.topic_types = TopicTypes()
@@ -262,9 +264,11 @@ class Context:
         if not was_valid:
             if self._interrupted:
                 self._run_hooks()  # those that are left
+                self._destroy_tracked()
             return False
         self._wake_all()
         self._run_hooks()
+        self._destroy_tracked()
         self._destroy_abandoned()
         self._close_if_unused()
         return True
@@ -318,6 +322,20 @@ class Context:
         with self._lock:
             if hook in self._hooks:
                 self._hooks.remove(hook)
+
+    def track_node(self, node: DestroyableNode) -> None:
+        """Destroy a node at shutdown, after the callbacks of `on_shutdown`, unless nothing else refers to it by then.
+
+        Raises:
+            TypeError: no weak reference to `node` can be made.
+        """
+        with self._lock:
+            self._tracked.add(node)
+
+    def untrack_node(self, node: DestroyableNode) -> None:
+        """Undo `track_node`; do nothing for a node that isn't tracked."""
+        with self._lock:
+            self._tracked = weakref.WeakSet(other for other in self._tracked if other is not node)
 
     def add_queue(self, queue: ReadyQueue) -> None:
         """Post `WAKE` to an executor's queue at shutdown."""
@@ -389,6 +407,12 @@ class Context:
     def _destroy_abandoned(self) -> None:
         while self._abandoned:
             self._abandoned.popleft().destroy_node()
+
+    def _destroy_tracked(self) -> None:
+        with self._lock:
+            tracked, self._tracked = list(self._tracked), weakref.WeakSet()
+        for node in tracked:
+            _call_hook(node.destroy_node)
 
     def leave(self, node: NodeName) -> None:
         """Remove a node from the graph."""

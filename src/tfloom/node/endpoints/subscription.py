@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import Enum
 from types import FunctionType, MethodType
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, TypedDict
 
+from tfloom.node.context.utilities import get_rmw_implementation_identifier
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.executing.entity import Entity
 from tfloom.node.qos.qos import HistoryPolicy, QoSProfile
@@ -25,14 +26,42 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import Reader, Sample
     from tfloom.rosidl.message import Message
 
-    SubscriptionCallback: TypeAlias = Callable[[MsgType], Any] | Callable[[MsgType, dict[str, Any]], Any]
+    SubscriptionCallback: TypeAlias = (
+        Callable[[MsgType], Any]
+        | Callable[[MsgType, "MessageInfo"], Any]
+        | Callable[[MsgType, dict[str, Any]], Any]
+    )
 
-__all__ = ["MsgType", "Subscription"]
+__all__ = ["MessageInfo", "MsgType", "PublisherGID", "Subscription"]
 
 _VAR_POSITIONAL = 0x04
 """The flag of a code object that takes `*args`."""
 _FED = object()
 """Returned by `take` after messages were pushed into the sink, which need no callback."""
+
+
+class PublisherGID(TypedDict):
+    """Which publisher sent a message."""
+
+    implementation_identifier: str
+    """The wire, as RMW_IMPLEMENTATION spells it."""
+    data: bytes
+    """Global id of the publisher on the wire: 16 bytes."""
+
+
+class MessageInfo(TypedDict):
+    """What a callback learns of a message beside the message."""
+
+    source_timestamp: int
+    """When it was sent, by the sender's clock [ns since the epoch]."""
+    received_timestamp: int
+    """When it was received, by this computer's clock [ns since the epoch]."""
+    publication_sequence_number: int | None
+    """Its number among those of its publisher, from 1; None where the wire doesn't tell."""
+    reception_sequence_number: int | None
+    """Its number among those of this subscription, from 0; None where the wire doesn't tell."""
+    publisher_gid: PublisherGID | None
+    """Its publisher."""
 
 
 class Subscription(Receiver["Reader"], Generic[MsgType]):
@@ -164,7 +193,7 @@ class SubscriptionHandle(Handle):
 
     __slots__ = ()
 
-    def take_message(self, pymsg_type: type[Message], raw: bool) -> tuple[Any, dict[str, Any]] | None:
+    def take_message(self, pymsg_type: type[Message], raw: bool) -> tuple[Any, MessageInfo] | None:
         """Return the oldest message, or its bytes if `raw`, and its info; None if there is none.
 
         Raises:
@@ -178,12 +207,16 @@ class SubscriptionHandle(Handle):
         return incoming.data if raw else cdr.decode(pymsg_type, incoming.data), _message_info(incoming)
 
 
-def _message_info(sample: Sample) -> dict[str, Any]:
+def _message_info(sample: Sample) -> MessageInfo:
     return {
         "source_timestamp": sample.source_stamp_ns,
         "received_timestamp": sample.received_stamp_ns,
         "publication_sequence_number": sample.publication_sequence_number,
         "reception_sequence_number": sample.reception_sequence_number,
+        "publisher_gid": {
+            "implementation_identifier": get_rmw_implementation_identifier(),
+            "data": sample.publisher_gid,
+        },
     }
 
 

@@ -120,7 +120,7 @@ class CallbackEntity(Entity):
     _kind = ""
     """For error texts."""
 
-    callback: Callable[[], Any] | None
+    callback: Callable[..., Any] | None
     """None: it only wakes the executor."""
 
     _destroyed = False

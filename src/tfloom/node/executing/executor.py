@@ -151,6 +151,11 @@ class Executor(OfferedWork):
         """Whether `shutdown` was called."""
         return self._is_shutdown
 
+    @property
+    def is_spinning(self) -> bool:
+        """Whether a thread is in one of the `spin` methods, or waits for callbacks."""
+        return self._spin_depth > 0
+
     # Nodes and entities
 
     def add_node(self, node: SpunNode) -> bool:

@@ -321,11 +321,18 @@ class MultiThreadedExecutor(Executor):
         """Return False, because the thread that spins receives data while callbacks run on other threads."""
         return False
 
-    def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """End every spin and wait for running callbacks; see `Executor.shutdown`."""
+    def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
+        """End every spin and wait for running callbacks; see `Executor.shutdown`.
+
+        Args:
+            timeout_sec: The longest wait for callbacks [s]; None: no limit.
+            wait_for_threads: Whether to wait also for the end of the pool's threads, which then run nothing. With a
+                timeout, and in a callback on one of them, it is not waited for.
+        """
         if not super().shutdown(timeout_sec):
             return False
-        self._pool.shutdown(wait=False)
+        waits = wait_for_threads and timeout_sec is None and not self._running.is_this_thread()
+        self._pool.shutdown(wait=waits)
         while self._errors:  # of callbacks that ended after the last spin
             error = self._errors.popleft()
             if not isinstance(

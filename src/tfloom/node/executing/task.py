@@ -6,6 +6,7 @@ import threading
 import weakref
 from collections.abc import Callable, Coroutine, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, nullcontext
+from enum import Enum
 from typing import Any, Generic, Protocol, TypeVar, cast
 
 from tfloom.common.terminal import report
@@ -14,7 +15,7 @@ from tfloom.node.executing.asyncio_wait import is_driven_by_asyncio, step, wait_
 from tfloom.node.values.callback_errors import call_all, print_error
 from tfloom.ros_imports.guard import ros_repr
 
-__all__ = ["Future", "Task", "TaskRunner", "future_error"]
+__all__ = ["Future", "FutureState", "Task", "TaskRunner", "future_error"]
 
 T = TypeVar("T")
 
@@ -32,6 +33,14 @@ def future_error(future: object) -> TypeError | None:
         return None
     given = "None" if future is None else given_text(future)
     return TypeError(f"spin_until_future_complete() needs a future, as `call_async` returns it, got {given}")
+
+
+class FutureState(Enum):
+    """Whether a future is complete."""
+
+    PENDING = "PENDING"
+    CANCELLED = "CANCELLED"
+    FINISHED = "FINISHED"
 
 
 def _no_executor() -> None:
@@ -92,6 +101,13 @@ class Future(Generic[T]):
     def _pending(self) -> bool:
         """Return whether it is neither complete nor cancelled."""
         return not self._done and not self._cancelled
+
+    @property
+    def _state(self) -> FutureState:
+        """The state, by rclpy's name, which executors of other projects read."""
+        if self._done:
+            return FutureState.FINISHED
+        return FutureState.CANCELLED if self._cancelled else FutureState.PENDING
 
     def cancelled(self) -> bool:
         """Return whether it was cancelled before it had a result."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from importlib import import_module
+from types import MethodType
 from typing import TYPE_CHECKING, Any
 
 from tfloom.common.seconds import too_long
@@ -13,14 +15,92 @@ from tfloom.node.clock.time_jump import ANY_JUMP, SOURCE_CHANGES, TimeJump
 from tfloom.node.executing.entity import CallbackEntity
 from tfloom.node.values.duration import INT64_MAX
 from tfloom.node.values.exceptions import ROSInterruptException
+from tfloom.node.values.time import ClockType, Time
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
+    from typing import TypeAlias
+
     from tfloom._native import ReadyQueue
     from tfloom.node.context.context import Context
     from tfloom.node.executing.callback_groups import CallbackGroup
 
-__all__ = ["Rate", "Timer"]
+    TimerCallback: TypeAlias = Callable[[], Any] | Callable[["TimerInfo"], Any]
+
+__all__ = ["Rate", "Timer", "TimerInfo"]
+
+
+_CALL = "__call__"
+
+
+class TimerInfo:
+    """When a call of a timer was due, and when it began.
+
+    Args:
+        expected_call_time: When it was due, by the timer's clock [ns].
+        actual_call_time: When it began, by the timer's clock [ns].
+        clock_type: Kind of the timer's clock.
+
+    Raises:
+        TypeError: `clock_type` is not a ClockType.
+        ValueError: a time is negative.
+    """
+
+    __slots__ = ("_actual", "_expected")
+
+    def __init__(
+        self,
+        *,
+        expected_call_time: int = 0,
+        actual_call_time: int = 0,
+        clock_type: ClockType = ClockType.SYSTEM_TIME,
+    ) -> None:
+        if not isinstance(clock_type, ClockType):
+            raise TypeError("Clock type must be a ClockType enum")
+        if expected_call_time < 0 or actual_call_time < 0:
+            raise ValueError("call time values must not be negative")
+        self._expected = Time(nanoseconds=expected_call_time, clock_type=clock_type)
+        self._actual = Time(nanoseconds=actual_call_time, clock_type=clock_type)
+
+    def __repr__(self) -> str:
+        return ros_repr(self)
+
+    @property
+    def expected_call_time(self) -> Time:
+        """When the call was due."""
+        return self._expected
+
+    @property
+    def actual_call_time(self) -> Time:
+        """When the call began."""
+        return self._actual
+
+
+def info_parameter(callback: Callable[..., Any] | None) -> str | None:
+    """Return the parameter of a timer's callback that is annotated as TimerInfo; None if there is none."""
+    function: Any = callback
+    while hasattr(function, "func"):  # of functools.partial
+        function = function.func
+    if isinstance(function, MethodType):
+        function = function.__func__
+    elif not hasattr(function, "__code__") and not isinstance(function, type):
+        function = getattr(type(function), _CALL, function)
+    for name, annotation in _annotations(function).items():
+        # A text is compared without being evaluated, because what it names may be imported for type checkers alone.
+        if annotation is TimerInfo or (
+            isinstance(annotation, str) and annotation.strip("'\"").rpartition(".")[2] == TimerInfo.__name__
+        ):
+            return None if name == "return" else name
+    return None
+
+
+def _annotations(function: Any) -> dict[str, Any]:
+    try:
+        return getattr(function, "__annotations__", None) or {}
+    except NameError:  # from Python 3.14 on they are evaluated when they are read
+        annotationlib: Any = import_module("annotationlib")
+        texts: dict[str, Any] = annotationlib.get_annotations(function, format=annotationlib.Format.STRING)
+        return texts
 
 
 class Timer(CallbackEntity):
@@ -33,7 +113,7 @@ class Timer(CallbackEntity):
     of their deadlines.
 
     Args:
-        callback: Called without arguments.
+        callback: Called without arguments, or with a TimerInfo as the parameter that is annotated as such.
         callback_group: Its group.
         timer_period_ns: The period [ns]; a timer of period 0 is always ready.
         clock: Clock of the period.
@@ -49,7 +129,7 @@ class Timer(CallbackEntity):
 
     def __init__(
         self,
-        callback: Callable[[], Any] | None,
+        callback: TimerCallback | None,
         callback_group: CallbackGroup | None,
         timer_period_ns: int,
         clock: Clock,
@@ -79,6 +159,16 @@ class Timer(CallbackEntity):
 
     def _now_ns(self) -> int:
         return self._clock.now_ns() if self._is_simulated() else time.monotonic_ns()
+
+    @property
+    def callback(self) -> TimerCallback | None:
+        """Called once a period; None: it only wakes the executor."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, callback: TimerCallback | None) -> None:
+        self._info_parameter = info_parameter(callback)
+        self._callback: Callable[..., Any] | None = callback
 
     @property
     def clock(self) -> Clock:
@@ -161,7 +251,7 @@ class Timer(CallbackEntity):
         return not self._canceled and self._now_ns() >= self._next_ns
 
     def take(self) -> Any:
-        """Return True, and begin the next period, if the callback is due."""
+        """Begin the next period, and return what `run` needs of the call, if the callback is due; otherwise None."""
         is_simulated = self._is_simulated()
         with self._lock:
             now_ns = self._clock.now_ns() if is_simulated else time.monotonic_ns()
@@ -169,6 +259,7 @@ class Timer(CallbackEntity):
                 return None
             # The next period begins when this call was due, so that late calls don't add up to a lower frequency. Calls
             # that were missed by a whole period are left out, and the rhythm is kept.
+            late_ns = now_ns - self._next_ns
             self._last_ns = now_ns
             self._next_ns += self._period_ns
             if self._next_ns < now_ns:
@@ -177,7 +268,24 @@ class Timer(CallbackEntity):
         # over more than one period.
         if is_simulated:
             self._post_if_ready()
-        return True
+        return True if self._info_parameter is None else self._info(late_ns)
+
+    def _info(self, late_ns: int) -> TimerInfo:
+        # The period is measured by the steady clock, whose zero means nothing to the program.
+        now_ns = self._clock.now_ns()
+        return TimerInfo(
+            expected_call_time=max(0, now_ns - late_ns),
+            actual_call_time=max(0, now_ns),
+            clock_type=self._clock.clock_type,
+        )
+
+    def run(self, taken: Any) -> Any:
+        """Call the callback."""
+        if self._callback is None:
+            return None
+        if self._info_parameter is None:
+            return self._callback()
+        return self._callback(**{self._info_parameter: taken})
 
     def _skip_missed(self, now_ns: int) -> int:
         missed = 1 + (now_ns - self._next_ns) // self._period_ns

@@ -122,11 +122,28 @@ class LifecycleNodeMixin(ManagedEntity):
         """Add an entity, whose callbacks are called at each transition."""
         self.__entities.append(entity)
 
-    def create_lifecycle_publisher(self, *args: Any, **kwargs: Any) -> LifecyclePublisher[Any]:
-        """Create a publisher that publishes while the node is active; see `Node.create_publisher`."""
+    def create_lifecycle_publisher(
+        self, *args: Any, publisher_class: type[LifecyclePublisher[Any]] | None = None, **kwargs: Any
+    ) -> LifecyclePublisher[Any]:
+        """Create a publisher that publishes while the node is active; see `Node.create_publisher`.
+
+        Args:
+            args: Type of the messages, topic, QoS.
+            publisher_class: Class of the publisher, which derives from LifecyclePublisher; None: this one.
+            kwargs: Further arguments of `Node.create_publisher`.
+
+        Raises:
+            TypeError: `publisher_class` doesn't derive from LifecyclePublisher.
+        """
+        own_class = LifecyclePublisher if publisher_class is None else publisher_class
+        if not (isinstance(own_class, type) and issubclass(own_class, LifecyclePublisher)):
+            raise TypeError(
+                "create_lifecycle_publisher() needs a publisher_class that derives from LifecyclePublisher, "
+                f"got {own_class!r}"
+            )
         publisher = cast(
             "LifecyclePublisher[Any]",
-            self.__node.create_publisher(*args, **kwargs, publisher_class=LifecyclePublisher),
+            self.__node.create_publisher(*args, **kwargs, publisher_class=own_class),
         )
         self.add_managed_entity(publisher)
         return publisher

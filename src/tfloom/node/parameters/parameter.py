@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from enum import Enum
-from typing import TYPE_CHECKING, Any
+from enum import Enum, IntEnum
+from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.common.seconds import plain_value
 from tfloom.common.text import given_text, shortened
@@ -17,12 +17,15 @@ from tfloom.node.parameters.parameter_file import (
 )
 from tfloom.node.values.names import full_node_name
 from tfloom.node.values.scalars import parse_value
+from tfloom.node.values.type_support import TypeVar
 
 if TYPE_CHECKING:
     from pathlib import Path
 
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",
+    "AllowableParameterValue",
+    "AllowableParameterValueT",
     "Parameter",
     "ParameterMsg",
     "get_parameter_value",
@@ -35,7 +38,22 @@ ParameterMsg = rcl_msg.Parameter
 """The message of a parameter, by the name that rclpy's modules give it beside `Parameter`."""
 
 
-class ParameterType(Enum):
+AllowableParameterValue = (
+    bool
+    | int
+    | float
+    | str
+    | Sequence[bytes]
+    | Sequence[bool]
+    | Sequence[int]
+    | Sequence[float]
+    | Sequence[str]
+    | None
+)
+AllowableParameterValueT = TypeVar("AllowableParameterValueT", default=Any)
+
+
+class ParameterType(IntEnum):
     """Types of parameters; the numbers are those of `rcl_interfaces/msg/ParameterType`."""
 
     NOT_SET = 0
@@ -48,6 +66,10 @@ class ParameterType(Enum):
     INTEGER_ARRAY = 7
     DOUBLE_ARRAY = 8
     STRING_ARRAY = 9
+
+    # Printed by its name: in a sentence, a number says nothing.
+    __str__ = Enum.__str__
+    __format__ = Enum.__format__
 
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
@@ -128,7 +150,7 @@ _CHECKS: dict[ParameterType, Callable[[Any], bool]] = {
 _FIELDS = {kind: f"{kind.name.lower()}_value" for kind in ParameterType if kind is not ParameterType.NOT_SET}
 
 
-class Parameter:
+class Parameter(Generic[AllowableParameterValueT]):
     """A parameter: a name, a type and a value.
 
     Args:

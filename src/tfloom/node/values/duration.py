@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Protocol
 
-from tfloom.common.seconds import given_time, no_time_of, not_a_number, to_nanoseconds
+from tfloom.common.seconds import given_time, no_time_of, not_a_number, plain_value, to_nanoseconds
 
 if TYPE_CHECKING:
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
@@ -89,6 +90,28 @@ class Duration:
 
     def __hash__(self) -> int:
         return hash((Duration, self._ns))
+
+    def __add__(self, other: Duration) -> Duration:
+        return Duration(nanoseconds=self._ns + other._ns) if isinstance(other, Duration) else NotImplemented
+
+    def __sub__(self, other: Duration) -> Duration:
+        return Duration(nanoseconds=self._ns - other._ns) if isinstance(other, Duration) else NotImplemented
+
+    def __mul__(self, other: float) -> Duration:
+        """Return this duration times a number, truncated to nanoseconds; times infinity: `Infinite`.
+
+        Raises:
+            ValueError: the number is NaN, or negative infinity.
+            OverflowError: the product doesn't fit 64 bits.
+        """
+        factor = plain_value(other)
+        if not isinstance(factor, (int, float)):
+            return NotImplemented
+        if isinstance(factor, int) or math.isfinite(factor):
+            return Duration(nanoseconds=int(self._ns * factor))
+        if factor == math.inf:
+            return Infinite
+        raise ValueError(f"Can't multiply duration with {factor}")
 
     def __eq__(self, other: object) -> bool:
         return self._ns == other._ns if isinstance(other, Duration) else NotImplemented

@@ -4,6 +4,7 @@ Exception
 ├── NoTypeSupportImportedException
 ├── NotInitializedException
 ├── ROSInterruptException
+├── TimeSourceChangedError
 ├── ExternalShutdownException
 └── RuntimeError
     ├── InvalidHandle
@@ -25,6 +26,7 @@ __all__ = [
     "NotInitializedException",
     "RCLError",
     "ROSInterruptException",
+    "TimeSourceChangedError",
     "TimerCancelledError",
     "add_note",
 ]
@@ -62,6 +64,15 @@ class ROSInterruptException(Exception):
 
     def __init__(self) -> None:
         super().__init__("rclpy.shutdown() has been called")
+
+
+class TimeSourceChangedError(Exception):
+    """A sleep ended because simulated time was switched on or off, so that its end is on another clock."""
+
+    __module__ = ros_home("rclpy.exceptions", __name__)
+
+    def __init__(self) -> None:
+        super().__init__("simulated time was switched on or off during the sleep")
 
 
 class ExternalShutdownException(Exception):

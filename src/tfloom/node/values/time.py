@@ -12,6 +12,8 @@ from tfloom.node.values.duration import INT64_MAX, S_TO_NS, Duration
 from tfloom.node.values.exceptions import RCLError
 
 if TYPE_CHECKING:
+    from datetime import datetime
+
     from tfloom.interfaces.builtin_interfaces import msg as builtin_msg
 
 __all__ = ["S_TO_NS", "ClockType", "ReadableClock", "Time", "check_fits_stamp"]
@@ -107,6 +109,21 @@ class Time:
         if not isinstance(msg, builtin_msg.Time):
             raise TypeError(f"Must pass a builtin_interfaces.msg.Time object{given_time(msg)}")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)
+
+    def to_datetime(self) -> datetime:
+        """Return the time as local date and time, without a time zone, rounded down to microseconds.
+
+        Raises:
+            TypeError: the clock is neither ROS_TIME nor SYSTEM_TIME, whose zero is the epoch.
+            OverflowError, OSError, ValueError: a date of this machine can't hold it.
+        """
+        from datetime import datetime, timedelta
+
+        if self._clock_type not in {ClockType.ROS_TIME, ClockType.SYSTEM_TIME}:
+            raise TypeError("Time object's clock type should be either ROS_TIME or SYSTEM_TIME")
+        sec, nanosec = divmod(self._ns, S_TO_NS)
+        whole = datetime.fromtimestamp(sec)  # noqa: DTZ006  # naive, as in the reference
+        return whole + timedelta(microseconds=nanosec // 1000)
 
     def __repr__(self) -> str:
         return f"Time(nanoseconds={self._ns}, clock_type={self._clock_type.name})"

@@ -1,4 +1,4 @@
-"""Checks that a class is a message or service class, and the type variables of endpoints and actions.
+"""Checks that a class is a message or service class, and the types and type variables of endpoints and actions.
 
 Each type variable has the default Any, so that `Client` alone is a complete type.
 """
@@ -7,13 +7,39 @@ from __future__ import annotations
 
 import reprlib
 import typing
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from tfloom.common.text import given_text
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Action, Service
 
+if TYPE_CHECKING:
+    from tfloom.interfaces.builtin_interfaces.msg import Time
+    from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
+    from tfloom.interfaces.unique_identifier_msgs.msg import UUID
+
 __all__ = [
+    "Action",
+    "ActionT",
+    "EventMessage",
+    "FeedbackMessage",
+    "FeedbackT",
+    "GetResultService",
+    "GetResultServiceRequest",
+    "GetResultServiceResponse",
+    "GoalT",
+    "ImplT",
+    "Msg",
+    "MsgT",
+    "ResultT",
+    "SendGoalService",
+    "SendGoalServiceRequest",
+    "SendGoalServiceResponse",
+    "Srv",
+    "SrvRequestT",
+    "SrvResponseT",
+    "SrvT",
+    "TypeVar",
     "check_for_type_support",
     "check_is_valid_action_type",
     "check_is_valid_msg_type",
@@ -158,3 +184,60 @@ FeedbackMessageT = TypeVar("FeedbackMessageT", default=Any)
 """The message that carries feedback, with `.goal_id` and `.feedback`."""
 ResultResponseT = TypeVar("ResultResponseT", default=Any)
 """The response that carries a result, with `.status` and `.result`."""
+
+# The same, by the names that later releases give them. What all messages, services or actions have is in these classes'
+# bases; the carriers of an action are described by what programs read of them.
+
+Msg = Message
+Srv = Service
+MsgT = TypeVar("MsgT", bound=Message, default=Any)
+SrvT = TypeVar("SrvT", bound=Service, default=Any)
+SrvRequestT = TypeVar("SrvRequestT", default=Any)
+SrvResponseT = TypeVar("SrvResponseT", default=Any)
+ActionT = TypeVar("ActionT", bound=Action, default=Any)
+ImplT = TypeVar("ImplT", default=Any)
+"""The class of an action that has its carriers, `Action.Impl`."""
+
+
+class EventMessage(Protocol):
+    """The event of a request or a response, as introspection publishes it."""
+
+    info: ServiceEventInfo
+
+
+class SendGoalServiceRequest(Protocol[GoalT]):
+    """The request that carries a goal."""
+
+    goal_id: UUID
+    goal: GoalT
+
+
+class SendGoalServiceResponse(Protocol):
+    """The response that tells whether a goal was accepted."""
+
+    accepted: bool
+    stamp: Time
+
+
+class GetResultServiceRequest(Protocol):
+    """The request for the result of a goal."""
+
+    goal_id: UUID
+
+
+class GetResultServiceResponse(Protocol[ResultT]):
+    """The response that carries a result."""
+
+    status: int
+    result: ResultT
+
+
+class FeedbackMessage(Protocol[FeedbackT]):
+    """The message that carries feedback."""
+
+    goal_id: UUID
+    feedback: FeedbackT
+
+
+SendGoalService = Service[SendGoalServiceRequest[GoalT], SendGoalServiceResponse]
+GetResultService = Service[GetResultServiceRequest, GetResultServiceResponse[ResultT]]

@@ -201,7 +201,16 @@ def _endpoint(announced: tuple[Any, ...], node: NodeName | None) -> _Endpoint:
     # A service counts once, by its topic of requests: its reader is a server, its writer a client.
     service = service_from_request_topic(dds_name, type_name)
     service_end = (
-        ServiceEndInfo(*service, node, is_server=not is_writer, gid=gid, qos=raw.qos) if service else None
+        ServiceEndInfo(
+            *service,
+            node,
+            is_server=not is_writer,
+            gid=gid,
+            qos=raw.qos,
+            type_hash=key_values(user_data).get("sertypehash", ""),
+        )
+        if service
+        else None
     )
     return _Endpoint(announced, raw, None, service_end)
 

@@ -1,0 +1,394 @@
+"""Names that later releases of rclpy have: what they do."""
+
+from __future__ import annotations
+
+import gc
+import threading
+from collections.abc import Callable
+from datetime import datetime, timedelta
+from functools import partial
+from typing import Any
+
+import pytest
+from tests.conftest import wait_until
+
+from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.rcl_interfaces.msg import Log
+from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node.action.client import ActionClient
+from tfloom.node.action.server import ActionServer, ServerGoalHandle
+from tfloom.node.clock.clock import ROSClock
+from tfloom.node.context.context import Context
+from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.task import Future, FutureState
+from tfloom.node.executing.timer import TimerInfo, info_parameter
+from tfloom.node.lifecycle.managed_entity import LifecyclePublisher
+from tfloom.node.lifecycle.node import LifecycleNode
+from tfloom.node.node import Node
+from tfloom.node.parameters.parameter import Parameter
+from tfloom.node.qos.endpoint_info import EndpointTypeEnum, ServiceEndpointInfo
+from tfloom.node.qos.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile
+from tfloom.node.values.duration import Duration, Infinite
+from tfloom.node.values.time import ClockType, Time
+
+MakeNode = Callable[..., Node]
+SpinUntil = Callable[..., None]
+Finish = Callable[[Future[Any]], Any]
+
+
+class Holder:
+    """Callbacks of a timer, and what they got."""
+
+    def __init__(self) -> None:
+        self.got: list[Any] = []
+
+    def method(self, info: TimerInfo) -> None:
+        self.got.append(info)
+
+    def keyword(self, *, when: TimerInfo) -> None:
+        self.got.append(when)
+
+    def unannotated(self, info=None) -> None:  # type: ignore[no-untyped-def]  # the case
+        self.got.append(info)
+
+    async def coroutine(self, info: TimerInfo) -> None:
+        self.got.append(info)
+
+    def __call__(self, info: TimerInfo) -> None:
+        self.got.append(info)
+
+
+@pytest.mark.parametrize("how", ["method", "keyword", "coroutine", "__call__", "partial", "object"])
+def test_a_timers_callback_gets_the_times_of_its_call(
+    how: str, node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    holder = Holder()
+    ways = {"partial": partial(Holder.method, holder), "object": holder}
+    callback = ways.get(how) or getattr(holder, how)
+    begin = node.get_clock().now()
+    node.create_timer(0.01, callback)
+    executor.add_node(node)
+    spin_until(lambda: len(holder.got) > 1)
+    first, second = holder.got[:2]
+    assert begin < first.expected_call_time <= first.actual_call_time <= second.actual_call_time
+    assert first.expected_call_time.clock_type is ClockType.ROS_TIME
+    period = second.expected_call_time - first.expected_call_time
+    # Whole periods, but for what passes between two looks at two clocks.
+    assert abs((period.nanoseconds + 5_000_000) % 10_000_000 - 5_000_000) < 4_000_000
+
+
+def test_a_timers_times_are_those_of_simulated_time(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil
+) -> None:
+    clock = ROSClock()
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(Time(seconds=10, clock_type=ClockType.ROS_TIME))
+    holder = Holder()
+    node.create_timer(1.0, holder.method, clock=clock)
+    executor.add_node(node)
+    clock.set_ros_time_override(Time(seconds=11.25, clock_type=ClockType.ROS_TIME))
+    spin_until(lambda: holder.got)
+    [info] = holder.got
+    assert info.expected_call_time.nanoseconds == 11_000_000_000
+    assert info.actual_call_time.nanoseconds == 11_250_000_000
+
+
+def test_only_an_annotated_parameter_gets_the_times() -> None:
+    holder = Holder()
+    assert info_parameter(holder.unannotated) is None
+    assert info_parameter(holder.keyword) == "when"
+    assert info_parameter(print) is None
+    assert info_parameter(None) is None
+
+    def plain(count: int = 1, info: object = None) -> None:
+        """Be annotated below."""
+
+    assert info_parameter(plain) is None
+    for annotation in (TimerInfo, "rclpy.timer.TimerInfo", "'TimerInfo'"):
+        plain.__annotations__["info"] = annotation
+        assert info_parameter(plain) == "info"
+    plain.__annotations__ = {"return": TimerInfo}
+    assert info_parameter(plain) is None
+
+
+def test_wrong_times_of_a_call_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"^call time values must not be negative$"):
+        TimerInfo(actual_call_time=-1)
+    with pytest.raises(TypeError, match=r"^Clock type must be a ClockType enum$"):
+        TimerInfo(clock_type=2)  # type: ignore[arg-type]
+    assert TimerInfo(expected_call_time=5).expected_call_time == Time(nanoseconds=5)
+
+
+def test_log_records_have_the_qos_that_the_node_was_given(make_node: MakeNode) -> None:
+    profile = QoSProfile(depth=7, durability=DurabilityPolicy.VOLATILE)
+    node = make_node("volatile", rosout_qos_profile=profile)
+    counted = make_node("counted", rosout_qos_profile=3)
+    usual = make_node("usual")
+    infos = {info.node_name: info.qos_profile for info in node.get_publishers_info_by_topic("/rosout")}
+    assert infos["volatile"].durability is DurabilityPolicy.VOLATILE
+    assert infos["counted"].depth in {0, 3}  # where the wire tells it
+    assert infos["usual"].durability is DurabilityPolicy.TRANSIENT_LOCAL
+    late: list[Log] = []
+    node.get_logger().info("missed")
+    usual.get_logger().info("kept")
+    watcher = make_node("watcher")
+    kept = QoSPresetProfiles.get_from_short_key("rosout_default")
+    assert (kept.depth, kept.lifespan.nanoseconds) == (1000, 10_000_000_000)
+    watcher.create_subscription(Log, "/rosout", late.append, kept)
+    with SingleThreadedExecutor(context=watcher.context) as executor:
+        executor.add_node(watcher)
+        while "kept" not in [record.msg for record in late]:
+            executor.spin_once(timeout_sec=5)
+    assert "missed" not in [record.msg for record in late]
+    for wrong, error in (("x", TypeError), (-1, ValueError), (True, TypeError)):
+        with pytest.raises(error):
+            make_node("wrong", rosout_qos_profile=wrong)
+    assert "wrong" not in counted.get_node_names()
+
+
+def test_arithmetic_of_durations() -> None:
+    second = Duration(seconds=1)
+    assert second + second * 0.5 - Duration(nanoseconds=1) == Duration(nanoseconds=1_499_999_999)
+    assert Duration(nanoseconds=-3) * 0.5 == Duration(nanoseconds=-1)
+    assert Duration(nanoseconds=2**62) * -2 == Duration(nanoseconds=-(2**63))
+    assert second * float("inf") == Infinite
+    for wrong in (float("nan"), float("-inf")):
+        with pytest.raises(ValueError, match=f"^Can't multiply duration with {wrong}$"):
+            second * wrong
+    for too_large in (lambda: Infinite + second, lambda: Infinite * 2, lambda: second * 1e30):
+        with pytest.raises(OverflowError):
+            too_large()
+    for text in ("second * 'a'", "second + 1", "second - Time(nanoseconds=1)", "second * None"):
+        with pytest.raises(TypeError):
+            eval(text, {"second": second, "Time": Time})
+
+
+def test_a_duration_is_multiplied_by_a_number_of_numpy() -> None:
+    numpy = pytest.importorskip("numpy")
+    assert Duration(seconds=3) * numpy.int32(2) == Duration(seconds=6)
+    assert Duration(seconds=3) * numpy.float32(0.5) == Duration(seconds=1.5)
+
+
+def test_a_time_as_local_date_and_time() -> None:
+    now = datetime.now().replace(microsecond=123456)  # noqa: DTZ005  # naive, as what is tested
+    time = Time(nanoseconds=int(now.timestamp()) * 10**9 + 123_456_999)
+    assert time.to_datetime() == now
+    assert time.to_datetime().tzinfo is None
+    later = Time(nanoseconds=time.nanoseconds + 3600 * 10**9, clock_type=ClockType.ROS_TIME).to_datetime()
+    assert later - now in {
+        timedelta(hours=hours) for hours in (0, 1, 2)
+    }  # the clocks may be changed just then
+    with pytest.raises(
+        TypeError, match=r"^Time object's clock type should be either ROS_TIME or SYSTEM_TIME$"
+    ):
+        Time(nanoseconds=1, clock_type=ClockType.STEADY_TIME).to_datetime()
+
+
+def test_types_of_parameters_are_numbers_with_names() -> None:
+    assert Parameter.Type.INTEGER == 2
+    assert f"{Parameter.Type.INTEGER} {Parameter.Type.INTEGER!s}" == "Type.INTEGER Type.INTEGER"
+    assert {2: "x"}[Parameter.Type.INTEGER] == "x"
+    assert Parameter[int]("count", value=3).value == 3
+    with pytest.raises(TypeError):
+        Parameter("count", 2, 3)  # type: ignore[arg-type]
+
+
+@pytest.fixture
+def node_on_each_wire(context_on_each_wire: Context) -> Node:
+    return Node("server", context=context_on_each_wire, start_parameter_services=False)
+
+
+def test_ends_of_services_on_the_graph(node_on_each_wire: Node, context_on_each_wire: Context) -> None:
+    node = node_on_each_wire
+    client_node = Node("caller", namespace="/far", context=context_on_each_wire)
+    node.create_service(AddTwoInts, "add", lambda request, response: response)
+    node.create_service(AddTwoInts, "other", lambda request, response: response)
+    clients = [client_node.create_client(AddTwoInts, "/add") for _ in range(2)]
+    wait_until(lambda: len(node.get_clients_info_by_service("add")) == 2)
+    [server] = client_node.get_servers_info_by_service("/add")
+    assert (server.node_name, server.node_namespace) == ("server", "/")
+    assert (server.service_type, server.endpoint_type) == (
+        "example_interfaces/srv/AddTwoInts",
+        EndpointTypeEnum.SERVER,
+    )
+    is_zenoh = server.endpoint_count == 1
+    assert server.endpoint_count == len(server.qos_profiles) == len(server.endpoint_gids) == 2 - is_zenoh
+    callers = node.get_clients_info_by_service("add")
+    assert {info.node_namespace for info in callers} == {"/far"}
+    assert {info.endpoint_type for info in callers} == {EndpointTypeEnum.CLIENT}
+    gids = [tuple(gid) for info in (*callers, server) for gid in info.endpoint_gids]
+    assert len(set(gids)) == len(gids) == 3 * server.endpoint_count
+    assert {tuple(client.wire_endpoint.gid) for client in clients} <= set(gids) | {
+        tuple(client.wire_endpoint.client_gid) for client in clients
+    }
+    assert "Endpoint type: SERVER" in str(server)
+    assert str(server).count("GID: ") == server.endpoint_count
+    assert server == client_node.get_servers_info_by_service("/add")[0] != callers[0]
+    assert client_node.get_servers_info_by_service("add") == []  # in its own namespace
+    by_wire_name = node.get_servers_info_by_service("rq/addRequest", no_mangle=True)
+    assert by_wire_name == ([] if is_zenoh else [server])
+    with pytest.raises(TypeError, match="'topic_type' is not a property of an endpoint"):
+        ServiceEndpointInfo(topic_type="x")
+
+
+def test_each_server_of_a_participant_has_its_own_responses(node_on_each_wire: Node) -> None:
+    for _ in range(3):
+        node_on_each_wire.create_service(AddTwoInts, "add", lambda request, response: response)
+    infos = node_on_each_wire.get_servers_info_by_service("add")
+    assert len(infos) == 3
+    assert len({tuple(map(tuple, info.endpoint_gids)) for info in infos}) == 3
+
+
+def test_actions_of_a_node(make_node: MakeNode) -> None:
+    server_node, client_node = make_node("serves"), make_node("calls")
+    ActionServer(server_node, Fibonacci, "count", lambda handle: Fibonacci.Result())
+    ActionClient(client_node, Fibonacci, "count")
+    expected = [("/count", ["example_interfaces/action/Fibonacci"])]
+    assert server_node.get_action_names_and_types() == expected
+    assert client_node.get_action_server_names_and_types_by_node("serves", "/") == expected
+    assert client_node.get_action_server_names_and_types_by_node("calls", "/") == []
+    assert client_node.get_action_client_names_and_types_by_node("calls", "/") == expected
+
+
+@pytest.mark.parametrize("with_callback", [True, False])
+def test_a_server_without_an_execute_callback(
+    with_callback: bool,
+    make_node: MakeNode,
+    executor: SingleThreadedExecutor,
+    finish: Finish,
+    capfd: pytest.CaptureFixture[str],
+) -> None:
+    node = make_node()
+
+    def execute(handle: ServerGoalHandle) -> Fibonacci.Result:
+        handle.succeed()
+        return Fibonacci.Result(sequence=[7])
+
+    accept: dict[str, Any] = (
+        {"handle_accepted_callback": lambda handle: handle.execute(execute)} if with_callback else {}
+    )
+    ActionServer(node, Fibonacci, "count", None, **accept)
+    client = ActionClient(node, Fibonacci, "count")
+    executor.add_node(node)
+    goal = finish(client.send_goal_async(Fibonacci.Goal()))
+    outcome = finish(goal.get_result_async())
+    if with_callback:
+        assert list(outcome.result.sequence) == [7]
+    else:  # the goal fails, not the server
+        assert outcome.status == 6
+        assert "give handle_accepted_callback a function that calls" in capfd.readouterr().err
+        assert finish(client.send_goal_async(Fibonacci.Goal())).accepted
+
+
+def test_states_of_a_future() -> None:
+    future: Future[int] = Future()
+    assert future._state is FutureState.PENDING
+    future.cancel()
+    assert future._state is FutureState.CANCELLED
+    future.set_result(1)
+    assert future._state is FutureState.FINISHED
+
+
+def test_an_executor_knows_that_it_spins(node: Node, executor: SingleThreadedExecutor) -> None:
+    seen: list[bool] = []
+    node.create_timer(0.001, lambda: seen.append(executor.is_spinning))
+    executor.add_node(node)
+    assert not executor.is_spinning
+    executor.spin_once(timeout_sec=5)
+    # The callback runs after the wait; a longer spin lasts meanwhile.
+    executor.spin_until_future_complete(Future(), timeout_sec=0.05)
+    assert seen[-1]
+    assert not executor.is_spinning
+    raised: list[BaseException] = []
+
+    def spin() -> None:
+        try:
+            executor.spin_once(timeout_sec=0)
+        except RuntimeError as error:
+            raised.append(error)
+
+    executor.create_task(lambda: None)
+    thread = threading.Thread(target=spin)
+    with executor._long_spin():
+        thread.start()
+        thread.join()
+    assert str(raised[0]).startswith("Executor is already spinning")
+
+
+@pytest.mark.parametrize("waits", [True, False])
+def test_the_end_of_an_executors_threads_is_waited_for(waits: bool, node: Node, context: Context) -> None:
+    executor = MultiThreadedExecutor(2, context=context)
+    threads: list[threading.Thread] = []
+    done: Future[None] = Future()
+
+    def note() -> None:
+        threads.append(threading.current_thread())
+        done.set_result(None)
+
+    node.create_timer(0.001, note)
+    executor.add_node(node)
+    executor.spin_until_future_complete(done, timeout_sec=5)
+    assert executor.shutdown(wait_for_threads=waits)
+    if waits:
+        assert not threads[0].is_alive()
+    else:
+        wait_until(lambda: not threads[0].is_alive())
+    assert executor.shutdown()  # again
+
+
+def test_an_executor_is_shut_down_on_a_thread_of_its_own(node: Node, context: Context) -> None:
+    executor = MultiThreadedExecutor(2, context=context)
+    ended: Future[bool] = Future()
+    node.create_timer(0.001, lambda: ended.done() or ended.set_result(executor.shutdown()))
+    executor.add_node(node)
+    executor.spin_until_future_complete(ended, timeout_sec=5)
+    wait_until(ended.done)
+    assert ended.result() is True
+
+
+class Tracked:
+    """Something that a context destroys."""
+
+    def __init__(self) -> None:
+        self.ends = 0
+
+    def destroy_node(self) -> None:
+        self.ends += 1
+        raise RuntimeError("while destroyed")
+
+
+def test_tracked_nodes_are_destroyed_at_shutdown(capfd: pytest.CaptureFixture[str]) -> None:
+    context = Context()
+    context.init(["program"])
+    kept, removed, dropped = Tracked(), Tracked(), Tracked()
+    for _ in range(2):
+        context.track_node(kept)
+    context.track_node(removed)
+    context.track_node(dropped)
+    context.untrack_node(removed)
+    context.untrack_node(removed)
+    del dropped
+    gc.collect()
+    context.shutdown()
+    assert (kept.ends, removed.ends) == (1, 0)
+    assert capfd.readouterr().err.count("RuntimeError: while destroyed") == 1
+    context.destroy()
+    assert kept.ends == 1
+    with pytest.raises(TypeError):
+        context.track_node(None)  # type: ignore[arg-type]
+
+
+class Counting(LifecyclePublisher[String]):
+    """A publisher of a program's own."""
+
+
+def test_a_lifecycle_publisher_of_ones_own_class(context: Context) -> None:
+    node = LifecycleNode("cycle", context=context)
+    publisher = node.create_lifecycle_publisher(String, "a", 1, publisher_class=Counting)
+    assert type(publisher) is Counting
+    assert type(node.create_lifecycle_publisher(String, "b", 1)) is LifecyclePublisher
+    for wrong in (Node, 3):
+        with pytest.raises(TypeError, match="a publisher_class that derives from LifecyclePublisher"):
+            node.create_lifecycle_publisher(String, "c", 1, publisher_class=wrong)  # type: ignore[arg-type]
+    node.destroy_node()
