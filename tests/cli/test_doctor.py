@@ -20,6 +20,7 @@ from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
 from tfloom.rmw.typed_names import topic_of
+from tfloom.ros_imports import ros_distro
 
 LO, ETH0, TUN0 = Interface("lo", 0x9), Interface("eth0", 0x1003), Interface("tun0", 0x1)
 
@@ -47,7 +48,7 @@ def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
     assert "domain: domain %d, discovery range LOCALHOST" % domain_id in answer.text  # noqa: UP031
     assert "and exchanged a message" in answer.text
     is_zenoh = os.environ.get("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp"  # whose router is a check more
-    assert answer.text.endswith(f"\nAll {13 if is_zenoh else 12} checks passed")
+    assert answer.text.endswith(f"\nAll {14 if is_zenoh else 13} checks passed")
 
 
 def test_wtf_is_doctor() -> None:
@@ -118,6 +119,34 @@ def test_distribution_that_shadows_a_package_of_ours_is_named(tmp_path: Path) ->
     assert found["names"]["advice"] == "pip uninstall cv-bridge"
 
 
+@pytest.mark.parametrize(
+    ("given", "verdict", "text"),
+    [
+        (
+            "kilted",
+            "ok",
+            "kilted is followed where ROS 2's distributions contradict each other: by ROS_DISTRO",
+        ),
+        (
+            "",
+            "ok",
+            "jazzy is followed where ROS 2's distributions contradict each other: ROS_DISTRO is not set",
+        ),
+        ("humble", "warning", "ROS_DISTRO is humble, which tfloom does not know; jazzy is followed"),
+        ("rolling", "warning", "ROS_DISTRO is rolling, which tfloom does not know; lyrical is followed"),
+        ("\x1b[2Jx", "warning", "ROS_DISTRO is \\x1b[2Jx, which tfloom does not know; jazzy is followed"),
+    ],
+)
+def test_distribution_that_is_followed_is_named(
+    given: str, verdict: str, text: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ROS_DISTRO", given)
+    monkeypatch.setattr(ros_distro, "ROS_DISTRO", ros_distro.nearest(given))
+    finding = health.CHECKS["distribution"]()
+    assert (finding.verdict.value, finding.details["followed"]) == (verdict, ros_distro.ROS_DISTRO)
+    assert finding.summary.startswith(text)
+
+
 def test_real_ros2_command_on_the_path_is_a_warning(tmp_path: Path) -> None:
     command = tmp_path / "ros2"
     command.touch(mode=0o755)
@@ -138,7 +167,7 @@ def test_report_flags_print_details() -> None:
     assert "reportlab: " in whole.text
     assert "reportlab: " not in failed.text
     assert "ROS_DOMAIN_ID: x" in failed.text
-    assert failed.text.endswith("4/12 checks failed\nFailed: domain, round trip, peers, quality of service")
+    assert failed.text.endswith("4/13 checks failed\nFailed: domain, round trip, peers, quality of service")
     assert whole.exit_code == failed.exit_code == 1
 
 
@@ -192,8 +221,8 @@ def test_checks_for_other_programs(monkeypatch: pytest.MonkeyPatch) -> None:
     from ros2doctor.api import DoctorCheck, Report, Result, generate_reports, run_checks
 
     failed = {"domain", "round trip", "peers", "quality of service"}
-    assert run_checks() == (failed, 4, 12)
-    assert run_checks(exclude_packages=True)[1:] == (4, 10)
+    assert run_checks() == (failed, 4, 13)
+    assert run_checks(exclude_packages=True)[1:] == (4, 11)
     (report,) = generate_reports(categories=["domain"])
     assert isinstance(report, Report)
     assert report.name == "domain"

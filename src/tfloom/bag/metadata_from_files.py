@@ -11,7 +11,7 @@ from tfloom.bag.reading.bag_file import BagFile
 from tfloom.bag.reading.compression import COMPRESSED_SUFFIX
 from tfloom.bag.writing.metadata_text import METADATA_VERSION, NO_TIME_NS
 from tfloom.bag.writing.storage import STORAGES
-from tfloom.ros_imports.environment import ROS_DISTRO
+from tfloom.ros_imports.ros_distro import ROS_DISTRO
 
 __all__ = ["metadata_from_files", "metadata_of", "size_of", "storage_id_of"]
 

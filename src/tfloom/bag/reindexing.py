@@ -63,5 +63,8 @@ def _files(folder: Path, storage_id: str) -> list[Path]:
 
 
 def _number(path: Path) -> tuple[int, str]:
-    match = re.search(r"_(\d+)\.(?:mcap|db3)", path.name)
+    # By the names of Lyrical, `0_bag_2026_05_23-10_00_00.mcap`, or by those before it, `bag_0.mcap`.
+    match = re.match(r"(\d+)_(?:.*_)?\d{4}(?:_\d\d){2}-\d\d(?:_\d\d){2}\.", path.name) or re.search(
+        r"_(\d+)\.(?:mcap|db3)", path.name
+    )
     return (int(match[1]) if match else 0, path.name)

@@ -35,6 +35,7 @@ from tfloom.robot.mended_xml import decoded
 from tfloom.robot.robot_transforms import RobotTransforms
 from tfloom.robot.urdf import UrdfError, parse_urdf
 from tfloom.robot.urdf_faults import Remarks
+from tfloom.ros_imports.ros_distro import removal
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -126,7 +127,7 @@ class RobotStatePublisher(Node):
     def _from_file(self, files: list[str]) -> str:
         if not files:
             self._stop("robot_description parameter must not be empty")
-        self.get_logger().warning(BY_FILE)
+        self.get_logger().warning(removal("the URDF argument of robot_state_publisher") or BY_FILE)
         remarks = Remarks()
         try:
             text = decoded(Path(files[0]).read_bytes(), remarks)

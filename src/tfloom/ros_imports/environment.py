@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import os
 
-__all__ = ["ROS_DISTRO", "ROS_ENVIRONMENT", "set_ros_environment"]
+from tfloom.ros_imports.ros_distro import ROS_DISTRO
 
-ROS_DISTRO = "jazzy"
-"""The distribution whose behaviour and interfaces tfloom has."""
+__all__ = ["ROS_ENVIRONMENT", "set_ros_environment"]
+
 ROS_ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": ROS_DISTRO}
 
 

@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from fnmatch import fnmatchcase
 from pathlib import Path, PurePosixPath
 
-from tfloom.ros_imports.environment import ROS_DISTRO
+from tfloom.ros_imports.ros_distro import ROS_DISTRO
 from tfloom.workspace.cmake_configure import configured
 from tfloom.workspace.cmake_plan import (
     BINARY_FOLDER,
@@ -112,7 +112,7 @@ class _Reader:
                 "CMAKE_INSTALL_INCLUDEDIR": "include",
                 "PYTHON_INSTALL_DIR": PYTHON_FOLDER,
                 **_system_variables(),
-                "ROS_DISTRO": ROS_DISTRO,
+                "ROS_DISTRO": os.environ.get("ROS_DISTRO") or ROS_DISTRO,
                 "BUILD_TESTING": "ON" if testing else "OFF",
             }
         )

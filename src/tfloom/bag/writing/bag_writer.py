@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from enum import Enum
@@ -21,9 +23,9 @@ from tfloom.bag.writing.metadata_text import (
 )
 from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings, TopicTable
 from tfloom.common.files import write_file
-from tfloom.ros_imports.environment import ROS_DISTRO
+from tfloom.ros_imports import ros_distro
 
-__all__ = ["BagWriter", "State", "WriterSettings", "open_storage_file"]
+__all__ = ["TIME_FORMAT", "BagWriter", "State", "WriterSettings", "file_name", "open_storage_file"]
 
 
 def open_storage_file(
@@ -62,6 +64,8 @@ def open_storage_file(
 DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
 """Of each of the two buffers [bytes]."""
 _UNLIMITED = 1 << 62
+TIME_FORMAT = "%Y_%m_%d-%H_%M_%S"
+"""Of the local time in the names of bags."""
 
 
 class WriterSettings(NamedTuple):
@@ -344,12 +348,12 @@ class BagWriter:
             relative_file_paths=list(self._paths),
             files=list(self._files),
             custom_data=dict(self.settings.custom_data),
-            ros_distro=ROS_DISTRO,
+            ros_distro=ros_distro.ROS_DISTRO,
         )
 
     def _open_file(self) -> StorageFile:
         storage_id = self.settings.storage_id
-        name = f"{self.folder.resolve().name}_{len(self._files)}{STORAGES[storage_id]}"
+        name = file_name(self.folder, len(self._files)) + STORAGES[storage_id]
         path = self.folder / name
         info = FileInformation(name, NO_TIME_NS, 0, 0)
         # A file begins as the only one, without messages. It has the compression, because that is all that says of a
@@ -442,3 +446,19 @@ def make_queue(settings: WriterSettings) -> ChunkQueue:
     if settings.is_snapshot:
         return ChunkQueue(max(1, min(chunk_size, cache_size // 8)), cache_size, duration_ns, ring=True)
     return ChunkQueue(min(chunk_size, cache_size), 2 * cache_size, duration_ns)
+
+
+def file_name(folder: Path, number: int) -> str:
+    """Return the name of a bag's file without its ending, by the distribution that is followed.
+
+    It is `folder_0`; from Lyrical on, `0_folder_2026_05_23-10_00_00`, where the folder's own time is left out.
+
+    Args:
+        folder: The bag's folder.
+        number: How many files of the bag are before it.
+    """
+    name = folder.resolve().name
+    if not ros_distro.BAG_FILES_HAVE_TIMES:
+        return f"{name}_{number}"
+    prefix = re.sub(r"_?\d{4}(_\d\d){2}-\d\d(_\d\d){2}$", "", name)
+    return "_".join(filter(None, (str(number), prefix, time.strftime(TIME_FORMAT))))

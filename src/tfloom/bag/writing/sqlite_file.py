@@ -9,7 +9,7 @@ from pathlib import Path
 from tfloom._native import Chunk
 from tfloom.bag.writing.metadata_text import METADATA_VERSION
 from tfloom.bag.writing.storage import StorageSettings, TopicTable
-from tfloom.ros_imports.environment import ROS_DISTRO
+from tfloom.ros_imports.ros_distro import ROS_DISTRO
 
 __all__ = ["SqliteFile"]
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.bag import conventions
 from tfloom.cli.shared import numbers
+from tfloom.ros_imports.ros_distro import removal
 
 if TYPE_CHECKING:
     from tfloom.bag.recording.recorded_topics import RecordOptions
@@ -186,6 +188,8 @@ def _checked_folder(args: argparse.Namespace) -> Path:
     Raises:
         CommandError: the flags contradict one another, or the folder exists.
     """
+    if args.topics_positional and (text := removal("topics of `ros2 bag record` without an option")):
+        print(text, file=sys.stderr)
     wanted = (
         *(args.all, args.all_topics, args.all_services, args.topics, args.topics_positional),
         *(args.services, args.topic_types, args.regex),

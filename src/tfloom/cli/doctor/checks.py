@@ -17,7 +17,9 @@ from tfloom.cli.doctor.finding import Finding, Verdict
 from tfloom.cli.doctor.peers import check_peers, check_qos
 from tfloom.cli.doctor.wires import check_other_wire
 from tfloom.cli.doctor.zenoh import WIRE, check_router, check_zenoh_reach, is_zenoh_selected
+from tfloom.common.terminal import shown_part
 from tfloom.rmw.errors import WireError
+from tfloom.ros_imports import ros_distro
 from tfloom.workspace import index
 
 DISCOVERY_SERVER = "ROS_DISCOVERY_SERVER"
@@ -464,6 +466,24 @@ def check_commands() -> Finding:
     return Finding(Verdict.OK, f"no real ROS; workspaces: {details['workspaces']}", details=details)
 
 
+def check_distribution() -> Finding:
+    """Report which distribution is followed where they contradict each other."""
+    given = os.environ.get("ROS_DISTRO", "")
+    followed = ros_distro.ROS_DISTRO
+    text = f"{followed} is followed where ROS 2's distributions contradict each other"
+    details = {"ROS_DISTRO": given or "not set", "followed": followed}
+    if not given.strip() or given == followed:
+        return Finding(
+            Verdict.OK, f"{text}: {'by ROS_DISTRO' if given else 'ROS_DISTRO is not set'}", "", details
+        )
+    return Finding(
+        Verdict.WARNING,
+        f"ROS_DISTRO is {shown_part(given)}, which tfloom does not know; {text}",
+        f"set ROS_DISTRO to one of {', '.join(ros_distro.DISTRIBUTIONS)}; docs/distributions.md says what differs",
+        details,
+    )
+
+
 def check_workspace() -> Finding:
     """Check whether what the packages of the workspace here ask for is there."""
     from tfloom.workspace.missing_dependencies import (
@@ -518,6 +538,7 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "other wire": check_other_wire,
     "names": check_names,
     "commands": check_commands,
+    "distribution": check_distribution,
     "workspace": check_workspace,
     "versions": check_versions,
 }

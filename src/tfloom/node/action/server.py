@@ -42,6 +42,7 @@ from tfloom.rmw.typed_names import (
     key_of,
 )
 from tfloom.ros_imports.guard import ros_repr
+from tfloom.ros_imports.ros_distro import RESULT_TIMEOUT_S
 from tfloom.rosidl.service import Action
 
 if TYPE_CHECKING:
@@ -125,7 +126,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         cancel_service_qos_profile: QoS of the service that cancels goals.
         feedback_pub_qos_profile: QoS of the feedback.
         status_pub_qos_profile: QoS of the goals' states.
-        result_timeout: Time for which the result of an ended goal is kept [s]; negative: no limit.
+        result_timeout: Time for which the result of an ended goal is kept [s]; negative: no limit. By default 900,
+            from Kilted on 10.
         forget_sent_results: Whether a goal is dropped as soon as its result was sent to one client.
 
     Raises:
@@ -152,7 +154,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
         feedback_pub_qos_profile: QoSProfile = QoSProfile(depth=10),  # never changed
         status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
-        result_timeout: float = 900,
+        result_timeout: float = RESULT_TIMEOUT_S,
         forget_sent_results: bool = False,
     ) -> None:
         check_is_valid_action_type(action_type)

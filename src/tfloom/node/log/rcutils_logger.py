@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 import sys
 import time
+import warnings
 from typing import Any
 
 from tfloom.node.log import log_output
 from tfloom.node.log.log_output import LoggingSeverity, Record
 from tfloom.node.log.logging_filters import CallerId, CallState, FilterTable, options_error, place_of
+from tfloom.ros_imports import ros_distro
 
 __all__ = ["CallerId", "RcutilsLogger", "ThrottledWarning"]
 
@@ -106,7 +108,15 @@ class RcutilsLogger:
         """Log at FATAL, as `log` does."""
         return self._log(message, LoggingSeverity.FATAL, kwargs)
 
-    warn = warning
+    def warn(self, message: object, **kwargs: Any) -> bool:
+        """Log at WARN, as `log` does; from Kilted on, warn that the method is deprecated."""
+        if ros_distro.LOGGER_WARN_IS_DEPRECATED:
+            warnings.warn(
+                "Deprecated in favor of :py:classmethod:RcutilsLogger.warning:.",
+                DeprecationWarning,
+                stacklevel=2,
+            )
+        return self._log(message, LoggingSeverity.WARN, kwargs)
 
     def _log(self, message: object, severity: LoggingSeverity, options: dict[str, Any]) -> bool:
         if severity < log_output.effective_level(self.name):

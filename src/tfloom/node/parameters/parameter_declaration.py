@@ -14,6 +14,7 @@ from tfloom.node.parameters.parameter import (
     parameter_value_to_python,
     value_error,
 )
+from tfloom.ros_imports import ros_distro
 
 __all__ = ["Declaration", "declaration_error", "full_name", "read_declarations", "warn_of_names_alone"]
 
@@ -31,7 +32,7 @@ def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> 
     """Return the declarations in tuples of (name), (name, value or type) or (name, value or type, descriptor).
 
     Raises:
-        TypeError: a tuple isn't of that form.
+        TypeError: a tuple isn't of that form; from Lyrical on also that it has only a name.
         ValueError: a type is NOT_SET, or given together with dynamic typing; or there is neither value nor type,
             and no dynamic typing.
     """
@@ -43,21 +44,30 @@ def read_declarations(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> 
 def declaration_error(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> Exception | None:
     """Return what `read_declarations` raises, or None, for callers whose tracebacks shall be short."""
     for index, entry in enumerate(parameters):
-        where = f"at index {index} in parameters list: {entry}"
-        if not isinstance(entry, (tuple, list)):
-            return TypeError(
-                f"Expected a tuple of a name, and a value or a type, {where}: write ('speed', 1.0)"
-            )
-        if not 1 <= len(entry) <= 3:
-            return TypeError(f"Invalid parameter tuple length {where}; expecting length between 1 and 3")
-        name, value, descriptor = [*entry, None, None][:3]
-        if not isinstance(name, str):
-            return TypeError(f"Expected string as name {where}")
-        if descriptor is not None and not isinstance(descriptor, rcl_msg.ParameterDescriptor):
-            return TypeError(f"Expected a ParameterDescriptor as third item {where}")
-        is_dynamic = len(entry) == 1 or (descriptor is not None and descriptor.dynamic_typing)
-        if (error := _type_error(full_name(namespace, name), value, is_dynamic=is_dynamic)) is not None:
+        error: Exception | None = _form_error(index, entry)
+        if error is None:
+            name, value, descriptor = [*entry, None, None][:3]
+            name = full_name(namespace, name)
+            is_dynamic = len(entry) == 1 or (descriptor is not None and descriptor.dynamic_typing)
+            is_refused = len(entry) == 1 and ros_distro.NEEDS_MORE_THAN_A_NAME
+            refusal = TypeError(_name_alone(name, "not allowed")) if is_refused else None
+            error = refusal or _type_error(name, value, is_dynamic=is_dynamic)
+        if error is not None:
             return error
+    return None
+
+
+def _form_error(index: int, entry: Any) -> TypeError | None:
+    where = f"at index {index} in parameters list: {entry}"
+    if not isinstance(entry, (tuple, list)):
+        return TypeError(f"Expected a tuple of a name, and a value or a type, {where}: write ('speed', 1.0)")
+    if not 1 <= len(entry) <= 3:
+        return TypeError(f"Invalid parameter tuple length {where}; expecting length between 1 and 3")
+    name, _, descriptor = [*entry, None, None][:3]
+    if not isinstance(name, str):
+        return TypeError(f"Expected string as name {where}")
+    if descriptor is not None and not isinstance(descriptor, rcl_msg.ParameterDescriptor):
+        return TypeError(f"Expected a ParameterDescriptor as third item {where}")
     return None
 
 
@@ -70,15 +80,17 @@ def warn_of_names_alone(namespace: str, parameters: Sequence[tuple[Any, ...]]) -
     """Warn of tuples that have only a name, at the line that called the caller."""
     for entry in parameters:
         if len(entry) == 1:
-            name = full_name(namespace, entry[0])
-            warnings.warn(
-                f"when declaring parameter named '{name}', declaring a parameter only providing its name is "
-                "deprecated. You have to either:\n"
-                '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
-                "\t- Pass a name and a parameter type.\n"
-                "\t- Pass a name and a descriptor with `dynamic_typing=True",
-                stacklevel=3,
-            )
+            warnings.warn(_name_alone(full_name(namespace, entry[0]), "deprecated"), stacklevel=3)
+
+
+def _name_alone(name: str, is_what: str) -> str:
+    return (
+        f"when declaring parameter named '{name}', declaring a parameter only providing its name is "
+        f"{is_what}. You have to either:\n"
+        '\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).\n'
+        "\t- Pass a name and a parameter type.\n"
+        "\t- Pass a name and a descriptor with `dynamic_typing=True"
+    )
 
 
 def _read_declaration(namespace: str, entry: tuple[Any, ...]) -> Declaration:

@@ -8,6 +8,9 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from tfloom.common.text import shortened
+from tfloom.ros_imports import ros_distro
+
 __all__ = ["is_markup", "parse_documents", "parse_scalar", "parse_value"]
 
 _TRUE = {"y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON"}
@@ -26,6 +29,7 @@ _MAX_DIGITS = 25
 _MIN_NORMAL = 2.0**-1022
 """The smallest float that has all of its 53 bits."""
 _BINARY = "tag:yaml.org,2002:binary"
+_FLOAT = "tag:yaml.org,2002:float"
 _MERGE = "tag:yaml.org,2002:merge"
 _QUOTES = ("'", '"')
 _WORDS = r"(?!\.\.\.)-?[A-Za-z0-9_+./][A-Za-z0-9_+./-]*( [A-Za-z0-9_+./][A-Za-z0-9_+./-]*)*\Z"
@@ -162,7 +166,17 @@ def _construct(node: Any, letters: bool) -> Any:
         raise _error("there is no value", node, "write '' for an empty text")
     if node.tag == _BINARY:
         return _bytes(node.value)
+    if node.has_tag and node.tag == _FLOAT and ros_distro.READS_FLOAT_TAG:
+        return _tagged_double(node)
     return parse_scalar(node.value, letters=letters)
+
+
+def _tagged_double(node: Any) -> float:
+    if (value := _double(node.value)) is None:
+        raise _error(
+            f"'{shortened(node.value)}' is not a number", node, "!!float stands before one, as 10 or 1.5"
+        )
+    return value
 
 
 def _construct_mapping(node: Any, letters: bool) -> dict[str, Any]:

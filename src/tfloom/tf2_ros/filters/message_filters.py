@@ -23,6 +23,8 @@ from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import ClockType, Time
 from tfloom.node.values.wrong_arguments import node_error, not_callable
+from tfloom.ros_imports import ros_distro
+from tfloom.ros_imports.ros_distro import warn_if_removed
 from tfloom.tf2_ros.buffer_core import time_ns
 
 if TYPE_CHECKING:
@@ -241,10 +243,15 @@ class Cache(SimpleFilter):
         place = bisect_right(times, stamp.nanoseconds)
         return messages[place - 1] if place else None
 
-    def getLastestTime(self) -> Time | None:
+    def getLatestTime(self) -> Time | None:
         """Return the newest time, or None."""
         with self._lock:
             return self.cache_times[-1] if self.cache_times else None
+
+    def getLastestTime(self) -> Time | None:
+        """Return the newest time, or None; from Kilted on, warn that the name is deprecated."""
+        warn_if_removed("message_filters.Cache.getLastestTime")
+        return self.getLatestTime()
 
     def getOldestTime(self) -> Time | None:
         """Return the oldest time, or None."""
@@ -322,6 +329,8 @@ class TimeSynchronizer(SimpleFilter):
 
     allow_headerless = False
     """Whether a message without a header is stamped with its time of arrival."""
+    sync_arrival_time = False
+    """Whether each message is."""
 
     def __init__(self, fs: Sequence[Any], queue_size: int) -> None:
         if (error := _filters_error(fs)) is not None:
@@ -349,7 +358,7 @@ class TimeSynchronizer(SimpleFilter):
 
     def add(self, msg: Any, my_queue: dict[int, Any], my_queue_index: int | None = None) -> None:
         """Keep a message, and pass it on with those of the other filters that match it, if all have one."""
-        stamp = _stamp(msg, self.allow_headerless, self._clock)
+        stamp = _stamp(msg, self.allow_headerless, self._clock, by_arrival=self.sync_arrival_time)
         if stamp is None:
             return
         at = time_ns(stamp)
@@ -403,15 +412,30 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         queue_size: Most messages of each to keep.
         slop: Upper limit for the difference of stamps, exclusive [s]; 0: equal stamps only.
         allow_headerless: Whether a message without a header is stamped with its time of arrival, by the clock of the
-            subscribers' node.
+            subscribers' node. From Kilted on, `queue_offset` is before it in the order of arguments.
+        queue_offset: Only False.
+        sync_arrival_time: Whether each message counts by its time of arrival.
     """
 
     def __init__(
-        self, fs: Sequence[Any], queue_size: int, slop: float, allow_headerless: bool = False
+        self,
+        fs: Sequence[Any],
+        queue_size: int,
+        slop: float,
+        allow_headerless: bool = False,
+        *,
+        queue_offset: bool = False,
+        sync_arrival_time: bool = False,
     ) -> None:
+        if queue_offset:
+            raise ValueError(
+                "ApproximateTimeSynchronizer has no queue_offset here, only queue_offset=False. From Kilted on this is "
+                "the fourth argument; for the one of Jazzy write allow_headerless=True"
+            )
         super().__init__(fs, queue_size)
         self.slop = Duration(seconds=slop)
         self.allow_headerless = allow_headerless
+        self.sync_arrival_time = sync_arrival_time
 
     def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
         slop = self.slop.nanoseconds or 1
@@ -425,12 +449,39 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         return next((stamps for stamps in product(*choices) if max(stamps) - min(stamps) < slop), None)
 
 
-def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None) -> Any:
+_init_by_jazzy = ApproximateTimeSynchronizer.__init__
+
+
+def _init_since_kilted(
+    self: ApproximateTimeSynchronizer,
+    fs: Sequence[Any],
+    queue_size: int,
+    slop: float,
+    queue_offset: bool = False,
+    allow_headerless: bool = False,
+    sync_arrival_time: bool = False,
+) -> None:
+    _init_by_jazzy(
+        self,
+        fs,
+        queue_size,
+        slop,
+        allow_headerless,
+        queue_offset=queue_offset,
+        sync_arrival_time=sync_arrival_time,
+    )
+
+
+if ros_distro.FOURTH_OF_APPROXIMATE == "queue_offset":
+    ApproximateTimeSynchronizer.__init__ = _init_since_kilted  # type: ignore[assignment,method-assign]
+
+
+def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None, *, by_arrival: bool = False) -> Any:
     """Return a message's stamp; for one without a header, the present time, or None with a warning."""
-    stamp = getattr(getattr(msg, "header", None), "stamp", None)
+    stamp = None if by_arrival else getattr(getattr(msg, "header", None), "stamp", None)
     if stamp is not None:
         return stamp
-    if not allow_headerless:
+    if not allow_headerless and not by_arrival:
         from tfloom.node.log.logging import get_logger
 
         get_logger("message_filters").warning(
