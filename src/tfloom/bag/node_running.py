@@ -8,8 +8,9 @@ from typing import Any
 
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.ros_imports import ros_distro
 
-__all__ = ["Answer", "serve", "spin_until"]
+__all__ = ["Answer", "refusal_of_time", "serve", "spin_until"]
 
 Answer = Callable[[Any], object]
 """Returns the fields of the response to a request, as a dict; whatever else it returns, they keep their defaults."""
@@ -30,6 +31,28 @@ def serve(
             return response
 
         create_service(srv_type, f"~/{name}", on_request)
+
+
+def refusal_of_time(request: Any, word: str, response: Any) -> dict[str, object]:
+    """Return the fields of a response that refuses to resume or split at a time; empty where it is to be done now.
+
+    Before Lyrical, requests have no time.
+
+    Args:
+        request: The request.
+        word: `resume` or `split`, by which its fields are named.
+        response: The class of the response, which has the codes.
+    """
+    if not ros_distro.HAS_LATER_DEFINITIONS:
+        return {}
+    mode, stamp = getattr(request, f"{word}_mode"), getattr(request, f"{word}_time")
+    if mode not in range(3):
+        code, text = f"INVALID_{word.upper()}_MODE", f"{mode} is not a {word}_mode: it is 0, 1 or 2"
+    elif stamp.sec or stamp.nanosec:
+        code, text = f"{word.upper()}_FAILED", f"only {word}_time 0, which is now, can be asked for here"
+    else:
+        return {}
+    return {"return_code": getattr(response, f"RETURN_CODE_{code}"), "error_string": text}
 
 
 def spin_until(node: Node, has_ended: Callable[[], bool], stop: threading.Event | None) -> None:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 
-from tfloom.rmw.base import Service, Topic
+from tfloom.common.terminal import shown_part
+from tfloom.rmw.base import Graph, Service, Topic
+from tfloom.ros_imports.ros_distro import TURTLESIM_PACKAGE
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -65,3 +67,24 @@ def new_goal_id() -> UUID:
 def key_of(goal_id: UUID) -> bytes:
     """Return an id as 16 bytes."""
     return bytes(bytearray(goal_id.uuid))
+
+
+def other_type_text(graph: Graph, name: str, type_name: str) -> str:
+    """Return why a client finds no server, where all servers of this name have another type; empty otherwise.
+
+    Args:
+        graph: Where the servers are looked for.
+        name: Fully qualified name of the service.
+        type_name: The client's type.
+    """
+    types = sorted({end.type_name for end in graph.service_ends() if end.is_server and end.name == name})
+    if not types or type_name in types:
+        return ""
+    text = f"{name} is served as {shown_part(', '.join(types))}, not as {type_name}"
+    packages = {known.partition("/")[0] for known in (*types, type_name)}
+    if packages == {"turtlesim", "turtlesim_msgs"}:
+        text += (
+            ": turtlesim's types are in turtlesim_msgs from Kilted on, and in turtlesim before. Here they are in "
+            f"{TURTLESIM_PACKAGE}, which ROS_DISTRO decides"
+        )
+    return text

@@ -10,6 +10,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+from tfloom.ros_imports import ros_distro
 from tfloom.ros_imports.distributions import INTERFACES, find_prefix
 
 KINDS = ("msg", "srv", "action")
@@ -30,13 +31,31 @@ def path_in(package_folder: Path, kind: str, base: str) -> Path | None:
     for suffix in (f".{kind}", IDL_SUFFIX):
         path = package_folder / kind / f"{base}{suffix}"
         if path.is_file():
-            return path
+            return path if package_folder.parent != definitions_folder() else _followed(path)
     return None
+
+
+def _followed(path: Path) -> Path:
+    """Return the file that has the form of the distribution that is followed, for one of tfloom's definitions."""
+    later = later_folder() / path.relative_to(definitions_folder())
+    return later if ros_distro.HAS_LATER_DEFINITIONS and later.is_file() else path
+
+
+def forms_of(name: str) -> list[Path]:
+    """Return the files of both forms of a definition that newer distributions have in another form; else none."""
+    package, kind, base = name.split("/")
+    paths = [folder / package / kind / f"{base}.{kind}" for folder in (definitions_folder(), later_folder())]
+    return paths if all(path.is_file() for path in paths) else []
 
 
 def definitions_folder() -> Path:
     """Return the folder of tfloom's definitions: `package/kind/Name.kind`."""
     return Path(__file__).parent / "definitions"
+
+
+def later_folder() -> Path:
+    """Return the folder of the definitions that have another form from Lyrical on."""
+    return Path(__file__).parent / "definitions_lyrical"
 
 
 def own_folders() -> list[Path]:

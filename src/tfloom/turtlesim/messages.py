@@ -1,29 +1,18 @@
-"""turtlesim's interfaces, by their name in the distribution of ROS_DISTRO.
-
-From Kilted on the name is `turtlesim_msgs/…`, with the same fields. Without ROS_DISTRO, it is Jazzy's.
-"""
+"""turtlesim's interfaces, by their name in the distribution that is followed (`ros_imports/ros_distro.py`)."""
 
 from __future__ import annotations
 
-import os
+from tfloom.ros_imports.ros_distro import TURTLESIM_PACKAGE
 
-FIRST_WITH_OWN_PACKAGE = "kilted"
-"""Distributions' names are in alphabetical order; `rolling` is the last."""
-
-if os.environ.get("ROS_DISTRO", "") < FIRST_WITH_OWN_PACKAGE:
+TYPE_CHECKING = False
+if TYPE_CHECKING or TURTLESIM_PACKAGE == "turtlesim":
     from tfloom.interfaces.turtlesim.action import RotateAbsolute
     from tfloom.interfaces.turtlesim.msg import Color, Pose
     from tfloom.interfaces.turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
 else:
-    from tfloom.interfaces.turtlesim_msgs.action import RotateAbsolute  # type: ignore[assignment]
-    from tfloom.interfaces.turtlesim_msgs.msg import Color, Pose  # type: ignore[assignment]
-    from tfloom.interfaces.turtlesim_msgs.srv import (  # type: ignore[assignment]
-        Kill,
-        SetPen,
-        Spawn,
-        TeleportAbsolute,
-        TeleportRelative,
-    )
+    from tfloom.interfaces.turtlesim_msgs.action import RotateAbsolute
+    from tfloom.interfaces.turtlesim_msgs.msg import Color, Pose
+    from tfloom.interfaces.turtlesim_msgs.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelative
 
 __all__ = [
     "Color",

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from tfloom.bag.bag import Bag
-from tfloom.bag.node_running import Answer, serve
+from tfloom.bag.node_running import Answer, refusal_of_time, serve
 from tfloom.bag.playing.playback import Playback
 from tfloom.interfaces.rosbag2_interfaces.srv import (
     Burst,
@@ -53,7 +53,7 @@ def serve_player(player: ServedPlayer) -> None:
     playback = player.playback
     answers: dict[str, tuple[Any, Answer]] = {
         "pause": (Pause, lambda _: player.set_paused(True)),
-        "resume": (Resume, lambda _: player.set_paused(False)),
+        "resume": (Resume, lambda request: _resume(player, request)),
         "toggle_paused": (TogglePaused, lambda _: player.toggle_paused()),
         "is_paused": (IsPaused, lambda _: {"paused": playback.is_paused}),
         "get_rate": (GetRate, lambda _: {"rate": playback.rate}),
@@ -65,6 +65,13 @@ def serve_player(player: ServedPlayer) -> None:
         "stop": (Stop, lambda _: playback.stop()),
     }
     serve(player.create_service, answers)
+
+
+def _resume(player: ServedPlayer, request: Any) -> dict[str, object]:
+    refusal = refusal_of_time(request, "resume", Resume.Response)
+    if not refusal:
+        player.set_paused(False)
+    return refusal
 
 
 def _part_to_play(bag: Bag, request: Any) -> tuple[int, int]:

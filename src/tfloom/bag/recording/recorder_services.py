@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, Protocol
 
 from tfloom.bag.errors import BagError
-from tfloom.bag.node_running import Answer, serve
+from tfloom.bag.node_running import Answer, refusal_of_time, serve
 from tfloom.interfaces.rosbag2_interfaces.srv import (
     IsDiscoveryRunning,
     IsPaused,
@@ -20,11 +20,14 @@ from tfloom.interfaces.rosbag2_interfaces.srv import (
     StopDiscovery,
 )
 from tfloom.node.log.rcutils_logger import RcutilsLogger
+from tfloom.ros_imports import ros_distro
 
 __all__ = ["RefusedError", "answers_of", "serve_recorder"]
 
 _SUCCESS, _ERROR = 0, 1
-"""The values of `return_code`."""
+"""The values of `return_code`; Lyrical's for a split that is refused is the same."""
+_SPLIT_FAILED = 4
+"""That of a split that can't be written."""
 
 
 class RefusedError(Exception):
@@ -97,11 +100,11 @@ def answers_of(recorder: ServedRecorder) -> dict[str, tuple[Any, Answer]]:
     return {
         "is_paused": (IsPaused, lambda _: {"paused": recorder.is_paused}),
         "pause": (Pause, lambda _: recorder.pause()),
-        "resume": (Resume, lambda _: recorder.resume()),
+        "resume": (Resume, lambda request: _resume(recorder, request)),
         "snapshot": (Snapshot, lambda _: {"success": _write(recorder, Snapshot, recorder.take_snapshot)}),
-        "split_bagfile": (SplitBagfile, lambda _: _write(recorder, SplitBagfile, recorder.split_bagfile)),
-        "stop": (Stop, lambda _: _write(recorder, Stop, lambda: _stop(recorder))),
-        "record": (Record, lambda request: _do(recorder, Record, lambda: recorder.record(request.uri))),
+        "split_bagfile": (SplitBagfile, lambda request: _split(recorder, request)),
+        "stop": (Stop, lambda _: _end(recorder, Stop, lambda: _stop(recorder), failed=_ERROR)),
+        "record": (Record, lambda request: _do(recorder, Record, lambda: _record(recorder, request))),
         "start_discovery": (
             StartDiscovery,
             lambda _: _do(recorder, StartDiscovery, recorder.start_discovery),
@@ -111,15 +114,54 @@ def answers_of(recorder: ServedRecorder) -> dict[str, tuple[Any, Answer]]:
     }
 
 
+def _resume(recorder: ServedRecorder, request: Any) -> dict[str, object]:
+    refusal = refusal_of_time(request, "resume", Resume.Response)
+    if not refusal:
+        recorder.resume()
+    return refusal
+
+
+def _split(recorder: ServedRecorder, request: Any) -> dict[str, object]:
+    refusal = refusal_of_time(request, "split", SplitBagfile.Response)
+    return refusal or _end(recorder, SplitBagfile, recorder.split_bagfile, failed=_SPLIT_FAILED)
+
+
+def _record(recorder: ServedRecorder, request: Any) -> None:
+    start = getattr(request, "start_time", None)  # from Lyrical on
+    if start is not None and (start.sec or start.nanosec):
+        text = "only start_time 0, which is now, can be asked for here"
+        raise RefusedError(text, "with a start_time")
+    recorder.record(request.uri)
+
+
+def _end(
+    recorder: ServedRecorder, service: Any, write: Callable[[], object], *, failed: int
+) -> dict[str, object]:
+    """Write; return the fields of a response that says how that went, which it has from Lyrical on.
+
+    An error of it ends the recording.
+    """
+    code, text = _SUCCESS, ""
+    try:
+        write()
+    except RefusedError as refusal:
+        _report(recorder, service, refusal)
+        code, text = _ERROR, str(refusal)
+    except BagError as error:
+        recorder.fail(error)
+        code, text = failed, str(error)
+    return {"return_code": code, "error_string": text} if ros_distro.HAS_LATER_DEFINITIONS else {}
+
+
 def _stop(recorder: ServedRecorder) -> None:
     recorder.check_recording()
     recorder.stop()
 
 
-def _write(recorder: ServedRecorder, service: Any, write: Callable[[], bool | None]) -> bool:
+def _write(recorder: ServedRecorder, service: Any, write: Callable[[], bool]) -> bool:
     """Return whether `write` has written, as it says itself; an error of it ends the recording."""
     try:
-        return bool(write())
+        return write()
     except RefusedError as refusal:
         _report(recorder, service, refusal)
     except BagError as error:

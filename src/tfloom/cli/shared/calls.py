@@ -15,7 +15,7 @@ from tfloom.cli.shared.names import did_you_mean
 from tfloom.common.terminal import report
 from tfloom.rmw.base import NodeName, Participant
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
-from tfloom.rmw.typed_names import SEND_GOAL
+from tfloom.rmw.typed_names import SEND_GOAL, other_type_text
 from tfloom.rosidl import cdr
 
 T = TypeVar("T")
@@ -33,6 +33,7 @@ class Client:
 
     def __init__(self, participant: Participant, node: NodeName, name: str, service_class: type[Any]) -> None:
         self.name = name
+        self._type_name = service_class._TYPE_NAME
         self._graph = participant.graph
         self._arrived = ReadyQueue()
         self._request = ServiceRequest(participant, node, name, service_class, self._arrived)
@@ -55,11 +56,13 @@ class Client:
                 while_waiting = None
             now_s = time.monotonic()
             if now_s >= start_s + timeout_s:
-                raise CommandError(f"no server of {self.name}: waited {timeout_s:g} s for it")
+                reason = self._other_type()
+                text = f"no server of {self.name}: waited {timeout_s:g} s for it"
+                raise CommandError(f"{text}; {reason}" if reason else text)
             # The hint comes after discovery: earlier, the graph would lack the names that are near.
             if now_s > hint_s:
                 hint_s = math.inf
-                report(f"no server of {self._name_with_nearest()}")
+                report(self._other_type() or f"no server of {self._name_with_nearest()}")
             self._arrived.wait(int(CHECK_S * 1e9))
 
     def _is_ready(self) -> bool:
@@ -67,6 +70,9 @@ class Client:
             return self._request.is_ready()
         except ServiceRequestError as error:  # an incompatible server stays so
             raise CommandError(str(error)) from None
+
+    def _other_type(self) -> str:
+        return other_type_text(self._graph, self.name, self._type_name)
 
     def _name_with_nearest(self) -> str:
         """Return the name of the service or its action, and a line with the nearest existing names."""

@@ -1,17 +1,18 @@
-"""turtlesim's interfaces that the demos use, by their name in the distribution of ROS_DISTRO.
+"""turtlesim's interfaces that the demos use, by their name in the distribution that is followed.
 
-From Kilted on the name is `turtlesim_msgs/…`; tfloom's turtlesim follows the same rule.
+Demos import no other room of their shelf, so `tfloom.turtlesim.messages` does the same for the simulator.
 """
 
 from __future__ import annotations
 
-import os
+from tfloom.ros_imports.ros_distro import TURTLESIM_PACKAGE
 
-if os.environ.get("ROS_DISTRO", "") < "kilted":
+TYPE_CHECKING = False
+if TYPE_CHECKING or TURTLESIM_PACKAGE == "turtlesim":
     from tfloom.interfaces.turtlesim.msg import Pose
     from tfloom.interfaces.turtlesim.srv import Spawn
 else:
-    from tfloom.interfaces.turtlesim_msgs.msg import Pose  # type: ignore[assignment]
-    from tfloom.interfaces.turtlesim_msgs.srv import Spawn  # type: ignore[assignment]
+    from tfloom.interfaces.turtlesim_msgs.msg import Pose
+    from tfloom.interfaces.turtlesim_msgs.srv import Spawn
 
 __all__ = ["Pose", "Spawn"]

@@ -50,7 +50,7 @@ from tfloom.node.values.type_support import (
     msg_type_error,
 )
 from tfloom.node.values.wrong_arguments import not_callable
-from tfloom.rmw.typed_names import service_of, topic_of
+from tfloom.rmw.typed_names import other_type_text, service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
 
 if TYPE_CHECKING:
@@ -501,7 +501,7 @@ class NodeBase:
             ignore_override: Whether the initial value is the default even if the command line gives a value.
 
         Raises:
-            TypeError: no parameter can have such a value.
+            TypeError: no parameter can have such a value; from Lyrical on also that there is only a name.
             ValueError: there is neither a value nor a type, and the descriptor doesn't allow dynamic typing.
             ParameterAlreadyDeclaredException: it was declared before.
             InvalidParameterException: the name is empty.
@@ -960,6 +960,7 @@ class NodeBase:
             start_timer=self._start_internal_timer,
             introspection=self.__introspection(srv_type, name),
             logger=self.get_logger(),
+            other_type=lambda: other_type_text(entities.participant().graph, name, srv_type._TYPE_NAME),
         )
         client.srv_name = srv_name
         entities.add(client)

@@ -25,6 +25,7 @@ from tfloom.node.values.type_support import SrvType, SrvTypeRequest, SrvTypeResp
 from tfloom.rmw.base import RequestId
 from tfloom.rmw.postponed_interrupt import postponed
 from tfloom.rmw.shared.waiting import LOOK_AGAIN_S, wait_for_token, wait_until_ready
+from tfloom.ros_imports import ros_distro
 from tfloom.rosidl import cdr
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -46,6 +47,8 @@ MAX_WAIT_FOR_SERVER_S = 1.0
 
 A program that has just started, or whose server has, may call before both have discovered each other.
 """
+LOOK_AT_TYPES_S = 1.0
+"""Period at which a client without a server looks for servers of another type [s]."""
 LOOK_FOR_SERVER_S = 0.05
 """Period at which a server is looked for meanwhile [s]."""
 
@@ -104,6 +107,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         start_timer: Callable[[float, Callable[[], None]], Timer],
         introspection: Introspection,
         logger: RcutilsLogger,
+        other_type: Callable[[], str],
     ) -> None:
         super().__init__(
             client_impl,
@@ -118,6 +122,9 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._context = context
         self._executor = executor
         self._logger = logger
+        self._other_type = other_type
+        """Returns why no server is found, where those of its name have another type."""
+        self._look_at_types_s = time.monotonic() + LOOK_AT_TYPES_S
         self._reported_incompatibility = ""
         """The last warning of a server that can't answer, which is logged once."""
         self._queue_switch = QueueSwitch(client_impl.notify)
@@ -150,10 +157,11 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             timeout_sec: The longest wait [s]; None: no limit.
 
         Returns:
-            The response; None if it was not received in time, or before the context was shut down.
+            The response; None if it was not received in time, before Kilted, or before the context was shut down.
 
         Raises:
             NoResponseError: without a limit, no response can arrive any more, as for `call_async`.
+            TimeoutError: from Kilted on, the response was not received in time (see `ros_imports/ros_distro.py`).
             KeyboardInterrupt: Ctrl-C has shut the context down.
             TypeError: `request` isn't of the service's request type, or `timeout_sec` is not a number.
             ValueError: `timeout_sec` is NaN.
@@ -173,6 +181,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             raise KeyboardInterrupt
         if not is_complete:
             self.remove_pending_request(future)
+            if ros_distro.CALL_RAISES_AT_TIMEOUT and self._context.ok():
+                raise TimeoutError
             return None
         if not self._context.ok() and future.exception() is not None:
             return None
@@ -324,7 +334,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             unsent.future.set_exception(reason)
         for unsent in expired:
             if not unsent.future.cancelled():
-                self._fail(unsent.future, "no server came. Call wait_for_service first")
+                why = self._other_type() or "no server came. Call wait_for_service first"
+                self._fail(unsent.future, why)
 
     def get_pending_request(self, sequence_number: int) -> Future[SrvTypeResponse]:
         """Return the future of a pending request.
@@ -409,6 +420,9 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         if self._endpoint.is_ready():
             return True
         incompatibility = self._endpoint.incompatibility()
+        if not incompatibility and time.monotonic() >= self._look_at_types_s:
+            self._look_at_types_s = time.monotonic() + LOOK_AT_TYPES_S
+            incompatibility = self._other_type()
         if incompatibility and incompatibility != self._reported_incompatibility:
             self._reported_incompatibility = incompatibility
             self._logger.warning(incompatibility)

@@ -30,6 +30,7 @@ from tfloom.node.lifecycle.state_machine import (
 from tfloom.node.node import Node
 from tfloom.node.values.callback_errors import print_error
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.ros_imports import ros_distro
 
 if TYPE_CHECKING:
     from tfloom.node.endpoints.publisher import Publisher
@@ -204,11 +205,13 @@ class LifecycleNodeMixin(ManagedEntity):
         if self.__events is None:
             return
         event = TransitionEvent(
-            timestamp=self.__node.get_clock().now().nanoseconds,
-            transition=step.transition_msg(),
-            start_state=step.start.to_msg(),
-            goal_state=step.goal.to_msg(),
+            transition=step.transition_msg(), start_state=step.start.to_msg(), goal_state=step.goal.to_msg()
         )
+        now = self.__node.get_clock().now()
+        if ros_distro.HAS_LATER_DEFINITIONS:
+            event.stamp = now.to_msg()  # type: ignore[attr-defined]  # type checkers see Jazzy's form
+        else:
+            event.timestamp = now.nanoseconds
         with suppress(InvalidHandle):  # a node that was destroyed still changes its state
             self.__events.publish(event)
 
