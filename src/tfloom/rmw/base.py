@@ -60,6 +60,8 @@ class Topic(NamedTuple):
     """`RIHS01_` and 64 hex digits; empty if unknown."""
     is_native: bool = False
     """Whether DDS has the name unchanged, without ROS's prefix; the graph then does not count it as a ROS topic."""
+    other_hash: str = ""
+    """Hash of another definition of the type whose samples a reader takes, too; empty: none, and on the graph."""
 
 
 class EndpointInfo(NamedTuple):
@@ -236,6 +238,9 @@ class Reader(Endpoint, Protocol):
 
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample, or None. Never blocks."""
+
+    def publisher_hash(self, gid: bytes) -> str:
+        """Return the hash that a publisher has given for its type, by its gid; empty if it is unknown."""
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` on the wire's thread from now on, those already waiting first.

@@ -200,7 +200,9 @@ class RecordedTopics:
             for text in warnings_of(name, offers):
                 self._node.get_logger().warning(text)
         type_hash = type_hash or hash_of(type_name)
-        topic = Topic(name, type_name, "cdr", type_hash, profiles_text(offers), find_definition(type_name))
+        topic = Topic(
+            name, type_name, "cdr", type_hash, profiles_text(offers), find_definition(type_name, type_hash)
+        )
         number = self._writer.add_topic(topic)
         recorded = _Recorded(qos)
         wire_topic = base.Topic(name, type_name, type_hash)

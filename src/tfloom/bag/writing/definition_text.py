@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from tfloom.bag.values import Definition
 from tfloom.rosidl import spec
+from tfloom.rosidl.other_forms import forms_beside, source_of
 from tfloom.rosidl.parse import ParseError
-from tfloom.rosidl.sources import definition_name, find_message, find_source
+from tfloom.rosidl.sources import definition_name, find_message, find_source, message_of, parse_source
 from tfloom.rosidl.type_hash import type_hash
 
 __all__ = ["find_definition", "find_service_definition", "hash_of", "short_name"]
@@ -19,18 +20,27 @@ def short_name(type_name: str) -> str:
     return f"{package}/{base.rpartition('/')[2]}"
 
 
-def find_definition(type_name: str) -> Definition | None:
+def find_definition(type_name: str, type_hash: str = "") -> Definition | None:
     """Return the definition of a type that is known here, with those of all messages that it refers to, else None.
 
     Args:
         type_name: `package/msg/Name`, or a part of a service or an action: `package/srv/Name_Event`.
+        type_hash: Its hash, where the form of another distribution may be meant; empty: that of here.
     """
     try:
-        root = find_message(type_name)
-        text = "".join([_text(root), *_dependencies(root, {type_name})])
+        own, root = _other_form(type_name, type_hash) or (None, find_message(type_name))
+        text = "".join([own or _text(root), *_dependencies(root, {type_name})])
     except (LookupError, ParseError, OSError, ValueError):
         return None
     return Definition("ros2msg", text)
+
+
+def _other_form(type_name: str, type_hash: str) -> tuple[str, spec.Message] | None:
+    """Return the text and the definition of the form that other distributions have, if the hash is its; else None."""
+    if forms_beside(type_name, type_hash) is None or type_hash == hash_of(type_name):
+        return None
+    source = source_of(type_name, type_hash)
+    return source.text, message_of(parse_source(source, type_name), type_name)
 
 
 def find_service_definition(type_name: str) -> Definition | None:

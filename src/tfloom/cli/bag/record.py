@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.bag import conventions
 from tfloom.cli.shared import numbers
+from tfloom.common.terminal import report
 from tfloom.ros_imports.ros_distro import removal
 
 if TYPE_CHECKING:
@@ -189,7 +189,7 @@ def _checked_folder(args: argparse.Namespace) -> Path:
         CommandError: the flags contradict one another, or the folder exists.
     """
     if args.topics_positional and (text := removal("topics of `ros2 bag record` without an option")):
-        print(text, file=sys.stderr)
+        report(text)
     wanted = (
         *(args.all, args.all_topics, args.all_services, args.topics, args.topics_positional),
         *(args.services, args.topic_types, args.regex),

@@ -18,6 +18,7 @@ from tfloom.rmw.base import EndpointInfo, Graph, NodeName, Participant, Reader, 
 from tfloom.rmw.errors import UnsupportedEventError
 from tfloom.rmw.events import Count, Event, IncompatibleQoS
 from tfloom.rmw.qos import QoS
+from tfloom.rmw.shared.form_reader import create_reader
 from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
@@ -141,7 +142,7 @@ def samples_and_ticks(
     """Yield the samples of a topic as they arrive, and None every `tick_s`; `end_s` and `on_lost` as for `samples`."""
     topic = topic_of(message_class, name)
     with shown_node(participant, cli_node()) as node:
-        reader = participant.create_reader(node, topic, qos)
+        reader = create_reader(participant, node, topic, qos, report)
         try:
             queue = ReadyQueue()
             reader.notify(queue)

@@ -50,6 +50,7 @@ from tfloom.node.values.type_support import (
     msg_type_error,
 )
 from tfloom.node.values.wrong_arguments import not_callable
+from tfloom.rmw.shared.form_reader import create_reader
 from tfloom.rmw.typed_names import other_type_text, service_of, topic_of
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -842,7 +843,13 @@ class NodeBase:
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
         wire_topic = topic_of(msg_type, name, is_native=profile.avoid_ros_namespace_conventions)
-        reader = entities.participant().create_reader(entities.node_name, wire_topic, profile.to_wire())
+        reader = create_reader(
+            entities.participant(),
+            entities.node_name,
+            wire_topic,
+            profile.to_wire(),
+            self.get_logger().warning,
+        )
         group = callback_group or self.default_callback_group
         try:
             subscription = Subscription(

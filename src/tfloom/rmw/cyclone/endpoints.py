@@ -13,6 +13,7 @@ from tfloom.rmw.errors import ClosedError, ForkedError, UnsupportedEventError, W
 from tfloom.rmw.events import Count, Event, IncompatibleQoS, LivelinessChanged, Matched, Status
 from tfloom.rmw.forks import Inherited
 from tfloom.rmw.qos import QoSPolicyKind
+from tfloom.rmw.topic_names import key_values
 
 _POLICY_KINDS = {
     2: QoSPolicyKind.DURABILITY,
@@ -216,6 +217,11 @@ class CycloneReader(CycloneEndpoint):
         """Remove and return the oldest waiting sample, or None. Its time of receipt is the time of this call."""
         sample_fields = self._native.take()
         return None if sample_fields is None else Sample(*sample_fields)
+
+    def publisher_hash(self, gid: bytes) -> str:
+        """Return the hash in the USER_DATA of a publisher that is connected; empty if it is not, or has none."""
+        user_data = next((user_data for peer, user_data in self.matched() if peer == gid), b"")
+        return key_values(user_data).get("typehash", "")
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first."""

@@ -120,7 +120,7 @@ class LocalWriter(LocalEndpoint):
                 return
             self._readers.append(reader)
             self.events.add_match(1)
-            reader.add_writer(self.gid)
+            reader.add_writer(mine)
             # Still under the lock: a sample that is written meanwhile waits, and comes after those that were kept.
             if theirs.qos.durability == DurabilityPolicy.TRANSIENT_LOCAL:
                 for stored in self._late:
@@ -176,8 +176,8 @@ class LocalReader(LocalEndpoint):
         """Samples to push into the sink, and gids for it to forget, in order; of any length, because none is lost."""
         self._flusher: int | None = None
         """The thread inside `flush`, guarded by `_lock` as all members are."""
-        self._writers: frozenset[bytes] = frozenset()
-        """Their gids. Replaced, never changed, under `_lock`."""
+        self._writers: dict[bytes, str] = {}
+        """Their gids, each with the hash of the writer's type. Replaced, never changed, under `_lock`."""
 
     def accept(self, stored: _Stored) -> None:
         """Queue one sample, on the writer's thread, which calls `flush` when it holds no lock."""
@@ -252,16 +252,20 @@ class LocalReader(LocalEndpoint):
         del before  # outside the lock, because its end may run users' code
         self.flush()
 
-    def add_writer(self, gid: bytes) -> None:
+    def publisher_hash(self, gid: bytes) -> str:
+        """Return the hash of the type of a writer that is connected; empty if it is not."""
+        return self._writers.get(gid, "")
+
+    def add_writer(self, writer: EndpointInfo) -> None:
         """Add a writer that has matched."""
         with self._lock:
-            self._writers = self._writers | {gid}
+            self._writers = self._writers | {writer.gid: writer.topic.type_hash}
             self.events.add_match(1)
 
     def remove_writer(self, gid: bytes) -> None:
         """Remove a writer that has left, and what the sink stores for it. The caller holds no lock."""
         with self._lock:
-            self._writers = self._writers - {gid}
+            self._writers = {writer: text for writer, text in self._writers.items() if writer != gid}
             self.events.add_match(-1)
             if self._sink is not None:
                 self._for_sink.append(gid)
@@ -273,7 +277,7 @@ class LocalReader(LocalEndpoint):
 
     def matched_gids(self) -> frozenset[bytes]:
         """Return the gids of the writers that are connected now."""
-        return self._writers
+        return frozenset(self._writers)
 
     def close(self) -> None:
         """Leave the topic; waiting samples are dropped.
@@ -287,7 +291,7 @@ class LocalReader(LocalEndpoint):
             sink, self._sink = self._sink, None
             self._waiting.clear()
             self._for_sink.clear()
-            self._writers = frozenset()
+            self._writers = {}
         del sink  # outside the lock, because its end may run users' code
         self._leave(self)
 

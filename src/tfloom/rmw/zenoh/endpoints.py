@@ -38,6 +38,7 @@ from tfloom.rmw.zenoh.feeder import Feeder
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
 from tfloom.rmw.zenoh.library import open_library
 from tfloom.rmw.zenoh.tokens import Kind
+from tfloom.rosidl.other_forms import forms_beside
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
 
@@ -82,7 +83,10 @@ class ZenohEndpoint(ZenohEnd):
         mine, theirs = self.info.topic, peer.end
         if theirs.type_name != mine.type_name:
             return None
-        if theirs.type_hash != mine.type_hash and theirs.type_hash and mine.type_hash:
+        if mine.type_hash and theirs.type_hash not in ("", mine.type_hash, mine.other_hash):
+            forms = forms_beside(mine.type_name, mine.type_hash) if self.info.is_writer else None
+            if forms is not None and theirs.type_hash == forms[1].type_hash:
+                return None  # a reader of tfloom's takes both, one of another program's only the other
             return lambda: self._report_hashes(peer)
         qualities = (self.info.qos, theirs.qos) if self.info.is_writer else (theirs.qos, self.info.qos)
         if policies := incompatible_policies(*qualities):
@@ -325,6 +329,8 @@ class ZenohReader(ZenohEndpoint):
         self._leases: dict[bytes, _Lease] = {}
         """Of the writers that must assert their liveliness. Replaced, never changed."""
         self._is_timed = info.qos.deadline_ns < INFINITE_NS
+        self._hashes: dict[bytes, str] = {}
+        """What the keys of a publisher's samples have, where two definitions are read. Guarded by the lock."""
 
     def declare(self, session: Any, key: str) -> Any:
         """Open the subscriber of Zenoh, and return it."""
@@ -363,6 +369,8 @@ class ZenohReader(ZenohEndpoint):
         if len(data) < HEADER_SIZE:
             return
         number, stamp_ns, gid = header
+        if self.info.topic.other_hash and not self._note_form(gid, str(sample.key_expr)):
+            return
         now_ns = time.time_ns()
         if self._is_timed:
             self._active_s = time.monotonic()
@@ -377,6 +385,25 @@ class ZenohReader(ZenohEndpoint):
                 self._accept(number, accepted)
         if is_late:
             self._catch_up(gid)
+
+    def _note_form(self, gid: bytes, key: str) -> bool:
+        """Note the hash in the key of a publisher's sample; return whether it is of a known form."""
+        type_hash = key.rpartition("/")[2]
+        if type_hash not in (self.info.topic.type_hash, self.info.topic.other_hash):
+            return False
+        with self._lock:
+            if len(self._hashes) >= MAX_CATCH_UPS and gid not in self._hashes:
+                self._hashes.clear()
+            self._hashes[gid] = type_hash
+        return True
+
+    def publisher_hash(self, gid: bytes) -> str:
+        """Return the hash of a publisher's type, by the key of its last sample; empty if it has sent none."""
+        topic = self.info.topic
+        if not topic.other_hash:
+            return topic.type_hash
+        with self._lock:
+            return self._hashes.get(gid, "")
 
     def _is_held(self, number: int, sample: Sample) -> bool:
         """Return whether a sample is held now, or has been and is here again; the caller holds the lock."""

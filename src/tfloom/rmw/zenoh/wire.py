@@ -190,7 +190,8 @@ class ZenohParticipant:
         key = self._token_key(kind, node, End(topic.name, topic.type_name, topic.type_hash, qos))
         info = EndpointInfo(topic, node, is_writer, gid_of(key), qos)
         end = kind(info, self.graph, self._timers, self._forget)
-        self._open(end, key, data_key(self.domain_id, topic.name, topic.type_name, topic.type_hash))
+        type_hash = "" if topic.other_hash else topic.type_hash
+        self._open(end, key, data_key(self.domain_id, topic.name, topic.type_name, type_hash))
         try:
             end.start_timers()
         except RuntimeError as error:
