@@ -171,6 +171,79 @@ def test_xacro_is_expanded(bot: Path, open_page: PageOpener) -> None:
         assert page.state["joints"][0]["greatest"] == 3.0
 
 
+XACRO = """<robot name="bot" xmlns:xacro="http://ros.org/wiki/xacro"><xacro:arg name="reach" default="1"/>
+<xacro:include filename="$(find {package})/urdf/lift.xacro"/><link name="base"/>
+<xacro:lift reach="$(arg reach)"/></robot>"""
+LIFT = """<robot xmlns:xacro="http://ros.org/wiki/xacro"><xacro:macro name="lift" params="reach">
+<link name="tip"><visual><geometry><mesh filename="file://$(find parts)/meshes/a.stl"/></geometry></visual></link>
+<joint name="lift" type="prismatic"><parent link="base"/><child link="tip"/>
+<limit lower="0" upper="${reach}" effort="1" velocity="1"/></joint></xacro:macro></robot>"""
+
+
+@pytest.fixture
+def clone(tmp_path: Path) -> Path:
+    """A description in a clone of two packages that no workspace has built, the second one in another folder."""
+    parts = tmp_path / "a clone" / "common" / "urdf" / "lift.xacro"
+    parts.parent.mkdir(parents=True)
+    parts.write_text(LIFT)
+    (parts.parents[1] / "package.xml").write_text("<package><name>parts</name></package>")
+    path = tmp_path / "a clone" / "bot" / "urdf" / "bot.urdf.xacro"
+    path.parent.mkdir(parents=True)
+    path.write_text(XACRO.format(package="parts"))
+    return path
+
+
+@pytest.mark.skipif(find_spec("xacro") is None, reason="needs the extra robot")
+def test_xacro_finds_packages_around_it_and_takes_arguments(
+    clone: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = clone.parents[2]
+    assert f"file://{folder}/common/meshes/a.stl" in read_robot(str(clone)).text
+    monkeypatch.chdir(folder)
+    robot = read_robot("bot/urdf/bot.urdf.xacro", ["reach:=2.5"])
+    assert robot.model.description.joints["lift"].limit.upper == 2.5
+    # Those around the file count before an installed one of the name.
+    installed = folder.parent / "installed"
+    (installed / "share" / "ament_index" / "resource_index" / "packages").mkdir(parents=True)
+    (installed / "share" / "ament_index" / "resource_index" / "packages" / "parts").touch()
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(installed))
+    assert f"file://{folder}/common/meshes/a.stl" in read_robot(str(clone)).text
+    # A file far from them needs the installed one.
+    (installed / "share" / "parts" / "urdf").mkdir(parents=True)
+    (installed / "share" / "parts" / "urdf" / "lift.xacro").write_text(LIFT)
+    far = folder.parent / "far" / "bot.xacro"
+    far.parent.mkdir()
+    far.write_text(clone.read_text())
+    assert f"file://{installed}/share/parts/meshes/a.stl" in read_robot(str(far)).text
+
+
+@pytest.mark.skipif(find_spec("xacro") is None, reason="needs the extra robot")
+def test_xacro_in_a_file_of_urdf_is_expanded(clone: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = clone.rename(clone.with_name("bot.urdf"))
+    robot = read_robot(str(path), ["reach:=3"])
+    assert robot.model.description.joints["lift"].limit.upper == 3.0
+    # Without the library it is shown as it is, with remarks.
+    path.write_text(ROBOT.replace("<link", '<xacro:arg name="reach"/><link', 1))
+    monkeypatch.setattr(described, "find_spec", lambda _: None)
+    assert "xacro that was not expanded" in str(read_robot(str(path)).model.description.remarks[0])
+
+
+@pytest.mark.skipif(find_spec("xacro") is None, reason="needs the extra robot")
+def test_package_that_xacro_finds_nowhere_is_named(clone: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    clone.write_text(XACRO.format(package="nowhere"))
+    hint = "; arguments of xacro follow the file, as NAME:=VALUE"
+    assert complaint(str(clone)) == f"{clone} can't be expanded: the reason is above{hint}"
+    assert f"there is no package 'nowhere', and none around {clone.parent}" in capfd.readouterr().err
+
+
+def test_arguments_that_nobody_takes_are_named(bot: Path) -> None:
+    assert (
+        complaint(str(bot), "reach:=2") == f"{bot} is not a file of xacro: it takes no argument, as reach:=2"
+    )
+    for words in ((str(bot), "reach"), ("a_bag", "reach:=2"), (str(bot), ":=2")):
+        assert f"{words[1]} is too much" in complaint(*words)
+
+
 def test_description_of_a_package(bot: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     prefix = bot.parents[2]
     index = prefix / "share" / "ament_index" / "resource_index" / "packages"
@@ -232,7 +305,10 @@ def test_robot_and_recording_are_not_shown_together(bot: Path) -> None:
 def test_xacro_that_cant_be_expanded_is_a_sentence(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "bad.xacro"
     path.write_text('<robot xmlns:xacro="http://ros.org/wiki/xacro" name="${nothing}"/>')
-    assert complaint(str(path)) == f"{path} can't be expanded: the reason is above"
+    assert (
+        complaint(str(path))
+        == f"{path} can't be expanded: the reason is above; arguments of xacro follow the file, as NAME:=VALUE"
+    )
     printed = capfd.readouterr().err
     assert "nothing" in printed
     assert "Traceback" not in printed

@@ -10,6 +10,7 @@ import pytest
 from tfloom.viewer import mesh_places
 from tfloom.viewer.mesh_places import find_mesh
 from tfloom.viewer.shapes import DisplayError
+from tfloom.workspace import packages_around
 
 REST = Path("meshes", "a.stl")
 
@@ -98,7 +99,7 @@ def test_package_that_is_nowhere_is_said_with_the_folder(tmp_path: Path) -> None
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes with names")
 def test_manifests_that_are_none_are_passed_over(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mesh_places, "MAX_MANIFEST_BYTES", 100)
+    monkeypatch.setattr(packages_around, "MAX_MANIFEST_BYTES", 100)
     near = tmp_path / "bot"
     near.mkdir()
     (tmp_path / "pipe").mkdir()

@@ -54,6 +54,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "package://PACKAGE/PATH",
     )
     parser.add_argument(
+        "arguments",
+        metavar="NAME:=VALUE",
+        nargs="*",
+        help="arguments of xacro, of a robot's description",
+    )
+    parser.add_argument(
         "--publish",
         action="store_true",
         help="publish the robot's frames, its description and the positions of its joints, for other nodes",
@@ -150,6 +156,11 @@ def _robot_name(args: argparse.Namespace) -> str | None:
     Raises:
         CommandError: there is also a recording, or an option that a description has no use for.
     """
+    for word in args.arguments:
+        if not re.match(r"\w+:=", word) or not is_description(args.path):
+            raise CommandError(
+                f"{word} is too much: only a robot's description has arguments, each NAME:=VALUE"
+            )
     if args.path is None or not is_description(args.path):
         if args.publish:
             raise CommandError(
@@ -353,7 +364,7 @@ def _open_robot(name: str, args: argparse.Namespace, over: threading.Event) -> I
     )
 
     try:
-        robot = read_robot(name)
+        robot = read_robot(name, args.arguments)
     except DescriptionError as error:
         raise CommandError(str(error)) from None
     if args.publish:

@@ -16,10 +16,12 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any, NoReturn
 
 from tfloom.common.terminal import report
 from tfloom.common.xml import guard_minidom
+from tfloom.workspace.packages_around import packages_around
 
 __all__ = ["main"]
 
@@ -42,13 +44,18 @@ FAILED = 2
 """Exit code of the library for what is wrong with a file."""
 
 
-def main(args: list[str] | None = None) -> int:
-    """Expand a file; return 0, or 1 without the library. Raise SystemExit for errors, which were printed."""
+def main(args: list[str] | None = None, near: Path | None = None) -> int:
+    """Expand a file; return 0, or 1 without the library. Raise SystemExit for errors, which were printed.
+
+    Args:
+        args: The command line; None: `sys.argv`.
+        near: A folder around which `$(find PACKAGE)` looks first; None: in workspaces that are sourced alone.
+    """
     if find_spec("xacro") is None:
         report(f"xacro: {MISSING}")
         return 1
     words = sys.argv[1:] if args is None else args
-    limits = [f"{MAX_ELEMENTS}", f"{MAX_S}", f"{MAX_BYTES}", f"{os.getpid()}"]
+    limits = [f"{MAX_ELEMENTS}", f"{MAX_S}", f"{MAX_BYTES}", f"{os.getpid()}", f"{near or ''}"]
     with subprocess.Popen([sys.executable, "-m", "tfloom.robot.xacro_program", *limits, *words]) as child:
         try:
             with _ended_by_signal():
@@ -104,6 +111,8 @@ def _expand(limits: list[str], args: list[str]) -> int:
     xacro.eval_all = _counted(xacro, max_elements, max_s)
     xacro.eval_text = _measured(xacro)
     xacro.process_file = _with_memory(xacro, max_bytes)
+    if limits[4]:
+        _find_around(Path(limits[4]))
     sys.argv = ["xacro", *args]
     try:
         xacro.main()
@@ -210,9 +219,28 @@ def _with_memory(xacro: Any, max_bytes: int) -> Callable[..., Any]:
     return process_within_limits
 
 
+def _find_around(near: Path) -> None:
+    """Let the library find packages around a folder before those of workspaces, as meshes are found."""
+    from xacro import XacroException, substitution_args
+
+    names = vars(substitution_args)
+    find: Callable[[str], str] = names["_eval_find"]
+
+    def find_around(package: str) -> str:
+        around = packages_around(near, package)
+        if around:
+            return str(around[0])
+        try:
+            return find(package)
+        except LookupError:
+            raise XacroException(f"there is no package '{package}', and none around {near}") from None
+
+    names["_eval_find"] = find_around
+
+
 def _too_large(max_bytes: int) -> str:
     return f"the expansion needs more than {max_bytes // 1024**2} MiB of memory, which is the limit"
 
 
 if __name__ == "__main__":
-    sys.exit(_expand(sys.argv[1:5], sys.argv[5:]))
+    sys.exit(_expand(sys.argv[1:6], sys.argv[6:]))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from importlib.util import find_spec
 from pathlib import Path
 from typing import NamedTuple
 
@@ -41,6 +42,8 @@ __all__ = [
 
 MAX_BYTES = 64 * 1024 * 1024
 """Size of the largest file [bytes]."""
+XACRO_ELEMENT = b"<xacro:"
+HINT = "; arguments of xacro follow the file, as NAME:=VALUE"
 DESCRIPTION_TOPIC = "/robot_description"
 MIN_AXES_M = 0.01
 AXES_PER_EXTENT = 0.06
@@ -60,11 +63,12 @@ class RobotFile(NamedTuple):
     """Where the file is: its meshes are looked for around it."""
 
 
-def read_robot(name: str) -> RobotFile:
-    """Read a robot's description; one of xacro is expanded.
+def read_robot(name: str, arguments: Sequence[str] = ()) -> RobotFile:
+    """Read a robot's description; one of xacro, also in a file that ends in .urdf, is expanded.
 
     Args:
         name: A path, or `package://PACKAGE/PATH`.
+        arguments: Those of xacro, each `NAME:=VALUE`.
 
     Raises:
         DescriptionError: it can't be read, or is not valid.
@@ -75,8 +79,11 @@ def read_robot(name: str) -> RobotFile:
             content = read_at_most(file, MAX_BYTES)
         if content is None:
             raise DescriptionError(f"{name} has more than {MAX_BYTES} bytes")
-        if path.suffix.lower() == ".xacro":
-            content = _expanded(path)
+        is_xacro = path.suffix.lower() == ".xacro"
+        if is_xacro or (XACRO_ELEMENT in content and find_spec("xacro") is not None):
+            content = _expanded(path, arguments)
+        elif arguments:
+            raise DescriptionError(f"{name} is not a file of xacro: it takes no argument, as {arguments[0]}")
         text = decoded(content, Remarks())
         return RobotFile(text, RobotModel(parse_urdf(text)), path.absolute().parent)
     except UrdfError as error:
@@ -87,7 +94,7 @@ def read_robot(name: str) -> RobotFile:
         raise DescriptionError(f"{name} can't be read: {getattr(error, 'strerror', None) or error}") from None
 
 
-def _expanded(path: Path) -> bytes:
+def _expanded(path: Path, arguments: Sequence[str]) -> bytes:
     """Return the URDF of a file of xacro.
 
     Raises:
@@ -96,11 +103,13 @@ def _expanded(path: Path) -> bytes:
     with tempfile.TemporaryDirectory(prefix="tfloom_view_") as folder:
         out = Path(folder, "robot.urdf")
         try:
-            code = expand_xacro([str(path), "-o", str(out)])
+            code = expand_xacro([str(path), *arguments, "-o", str(out)], path.absolute().parent)
         except SystemExit as end:
             code = 1 if end.code is None else int(end.code)
         if code:
-            raise DescriptionError(f"{path} can't be expanded: the reason is above")
+            raise DescriptionError(
+                f"{path} can't be expanded: the reason is above{'' if arguments else HINT}"
+            )
         return out.read_bytes()
 
 
