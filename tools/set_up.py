@@ -67,24 +67,39 @@ pip reaches no package index. Without a network, collect what is needed on a mac
 copy the folder wheels/ here, and repeat the command with these two variables:
     PIP_NO_INDEX=1 PIP_FIND_LINKS=wheels"""
 ELSEWHERE = "Make the folder writable, or name another place: make VENV=FOLDER"
+INSTALL_COMMANDS = {
+    "debian": "apt-get install",
+    "ubuntu": "apt-get install",
+    "fedora": "dnf install",
+    "rhel": "dnf install",
+    "suse": "zypper install",
+    "arch": "pacman -S",
+    "alpine": "apk add",
+}
 COMPILER_PACKAGES = {
-    "debian": "apt-get install g++",
-    "ubuntu": "apt-get install g++",
-    "fedora": "dnf install gcc-c++",
-    "rhel": "dnf install gcc-c++",
-    "suse": "zypper install gcc-c++",
-    "arch": "pacman -S gcc",
-    "alpine": "apk add g++",
-    "darwin": "xcode-select --install",
+    "debian": "g++",
+    "ubuntu": "g++",
+    "fedora": "gcc-c++",
+    "rhel": "gcc-c++",
+    "suse": "gcc-c++",
+    "arch": "gcc",
+    "alpine": "g++",
 }
 HEADER_PACKAGES = {
-    "debian": "apt-get install python3-dev",
-    "ubuntu": "apt-get install python3-dev",
-    "fedora": "dnf install python3-devel",
-    "rhel": "dnf install python3-devel",
-    "suse": "zypper install python3-devel",
-    "alpine": "apk add python3-dev",
+    "debian": "python3-dev",
+    "ubuntu": "python3-dev",
+    "fedora": "python3-devel",
+    "rhel": "python3-devel",
+    "suse": "python3-devel",
+    "alpine": "python3-dev",
 }
+ON_MACOS = "xcode-select --install"
+ON_WINDOWS = (
+    "no C++ compiler was found; Microsoft's Build Tools bring one: winget install "
+    'Microsoft.VisualStudio.2022.BuildTools --override "--passive --wait --add '
+    'Microsoft.VisualStudio.Workload.VCTools --includeRecommended"'
+)
+WINDOWS_COMPILERS = ("cl", "clang-cl", "clang++", "g++")
 CXX_20 = (
     "#include <concepts>\n#include <span>\nstatic_assert(std::integral<int>);\nint main() { return 0; }\n"
 )
@@ -562,12 +577,15 @@ def shown(path: Path) -> str:
 def check_compiler() -> None:
     """Raise SetUpError with the package to install if there is no C++20 compiler, or no header of Python."""
     if os.name == "nt":
-        return  # CMake finds Visual Studio by itself
+        if not _has_windows_compiler():
+            raise SetUpError(ON_WINDOWS)
+        return
     compiler = os.environ.get("CXX") or next(filter(shutil.which, ("c++", "g++", "clang++")), None)
+    header = Path(sysconfig.get_path("include")) / "Python.h"
     if compiler is None:
-        raise SetUpError(
-            f"no C++ compiler was found; this brings one: {package_command(COMPILER_PACKAGES, 'g++')}"
-        )
+        others = [] if header.is_file() else [HEADER_PACKAGES]
+        install = install_command("g++", COMPILER_PACKAGES, *others)
+        raise SetUpError(f"no C++ compiler was found; this brings one: {install}")
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "program.cpp"
         program.write_text(CXX_20)
@@ -579,27 +597,41 @@ def check_compiler() -> None:
             raise SetUpError(
                 f"{compiler} can't be started: {error.strerror}; CXX names another compiler"
             ) from None
+    if done.returncode and "xcode-select" in done.stderr:  # what macOS has in place of a compiler
+        raise SetUpError(f"no C++ compiler was found; this brings one: {ON_MACOS}")
     if done.returncode:
         said = next((f": {line}" for line in done.stderr.splitlines() if "error" in line), "")
         raise SetUpError(
             f"{compiler} compiles no C++20: g++ 12, clang 15 or newer does; CXX names another compiler{said}"
         )
-    header = Path(sysconfig.get_path("include")) / "Python.h"
     if not header.is_file():
-        install = package_command(HEADER_PACKAGES, "Python's C headers")
+        install = install_command("Python's C headers", HEADER_PACKAGES)
         raise SetUpError(f"{header} is missing; this brings it: {install}")
 
 
-def package_command(commands: Mapping[str, str], otherwise: str) -> str:
-    """Return the command that installs a system package on this system; a description if none is known."""
+def _has_windows_compiler() -> bool:
+    """Return whether CMake may find a compiler: one on PATH, or Visual Studio, which has an installer at one place."""
+    programs = os.environ.get("PROGRAMFILES(X86)", r"C:\Program Files (x86)")
+    installer = Path(programs, "Microsoft Visual Studio", "Installer", "vswhere.exe")
+    return "CXX" in os.environ or installer.is_file() or any(map(shutil.which, WINDOWS_COMPILERS))
+
+
+def install_command(otherwise: str, *packages: Mapping[str, str]) -> str:
+    """Return the command that installs system packages on this system.
+
+    Args:
+        otherwise: What they are, for a system of which no command is known.
+        packages: Of each, its name by system.
+    """
     if sys.platform == "darwin":
-        return commands.get("darwin", otherwise)
+        return ON_MACOS
     with suppress(OSError, AttributeError):
         release = platform.freedesktop_os_release()
         # ID_LIKE names the distributions that this one derives from, the nearest first.
         for name in (release.get("ID", ""), *release.get("ID_LIKE", "").split()):
-            if name in commands:
-                return commands[name]
+            if name in INSTALL_COMMANDS and name in packages[0]:
+                names = [names[name] for names in packages if name in names]
+                return " ".join([INSTALL_COMMANDS[name], *names])
     return f"your system's package of {otherwise}"
 
 

@@ -4,11 +4,14 @@ It has no step for that itself. In a checkout, `tools/generated.py` brings the g
 them, and nothing that generates. Each project with such files has this file, because a backend must be within its
 project.
 
-Only the standard library and scikit-build-core are imported, because the build's environment has little else.
+Where there is C++ to compile, it first looks for a compiler, by `set_up.py` beside it. Only the standard library and
+scikit-build-core are imported, because the build's environment has little else.
 """
 
 from __future__ import annotations
 
+import importlib
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -17,6 +20,23 @@ from typing import Any
 from scikit_build_core import build
 
 Settings = dict[str, "list[str] | str"]
+OF_CMAKE = {"CMAKE_ARGS", "SKBUILD_CMAKE_ARGS", "CMAKE_TOOLCHAIN_FILE", "CMAKE_CXX_COMPILER", "cmake.args"}
+"""Variables and settings by which a compiler can be named."""
+
+
+def get_requires_for_build_wheel(config_settings: Settings | None = None) -> list[str]:
+    """Return what the build needs, beside what `pyproject.toml` names.
+
+    Installers call this first, before they download what a wheel requires: without a compiler it ends here.
+    """
+    _check_compiler(config_settings)
+    return build.get_requires_for_build_wheel(config_settings)
+
+
+def get_requires_for_build_editable(config_settings: Settings | None = None) -> list[str]:
+    """Return what the build of an editable install needs, as `get_requires_for_build_wheel`."""
+    _check_compiler(config_settings)
+    return build.get_requires_for_build_editable(config_settings)
 
 
 def build_wheel(
@@ -50,6 +70,22 @@ def build_sdist(sdist_directory: str, config_settings: Settings | None = None) -
 def __getattr__(name: str) -> Any:
     """Return another hook of scikit-build-core, if it has one of this name."""
     return getattr(build, name)
+
+
+def _check_compiler(settings: Settings | None) -> None:
+    """End with one line that says what to install, if there is C++ to compile and nothing that compiles it.
+
+    With one of OF_CMAKE, CMake alone looks.
+    """
+    settings = settings or {}
+    is_compiled = Path("CMakeLists.txt").is_file() and settings.get("wheel.cmake") != "false"
+    if not is_compiled or OF_CMAKE & {*os.environ, *(name.rpartition("define.")[2] for name in settings)}:
+        return
+    set_up = importlib.import_module("set_up")
+    try:
+        set_up.check_compiler()
+    except set_up.SetUpError as error:
+        sys.exit(f"tfloom: {error}")  # of another exception, installers would print the traceback
 
 
 def _start() -> subprocess.Popen[bytes] | None:

@@ -130,11 +130,17 @@ def test_without_the_extra_the_sentence_has_pips_line(
 
 def test_browser_is_opened_where_there_is_a_screen(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "platform", "linux")
+    for name in ("BROWSER", "CI"):
+        monkeypatch.delenv(name, raising=False)
     monkeypatch.setenv("DISPLAY", ":7")
     assert view._has_browser(needs_terminal=False)
     assert not view._has_browser(needs_terminal=True)  # the output of a test is no terminal
     monkeypatch.delenv("DISPLAY")
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    assert not view._has_browser(needs_terminal=False)
+    monkeypatch.setenv("BROWSER", "firefox")
+    assert view._has_browser(needs_terminal=False)
+    monkeypatch.setenv("CI", "true")
     assert not view._has_browser(needs_terminal=False)
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from tests.spun import SpunNode, spun
 
+from tfloom.cli import demo
 from tfloom.cli.demo import nodes_on
 from tfloom.demos import processes
 from tfloom.demos.processes import own_domain
@@ -65,6 +66,19 @@ def test_others_on_the_domain_that_was_asked_for_are_named(
     assert said in demo.output, demo.output
     assert "Traceback" not in demo.output
     assert list(tmp_path.iterdir()) == []
+
+
+def test_domain_0_is_not_said_to_be_asked_for(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for value in (None, "", "0"):
+        monkeypatch.delenv("ROS_DOMAIN_ID", raising=False)
+        if value is not None:
+            monkeypatch.setenv("ROS_DOMAIN_ID", value)
+        with demo._domain(is_shared=True) as domain_id:
+            assert domain_id == 0
+        said = "as ROS_DOMAIN_ID says" if value else "because ROS_DOMAIN_ID isn't set"
+        assert capsys.readouterr().out == f"It runs on domain 0, {said}.\n"
 
 
 @pytest.mark.parametrize("is_shared", [False, True])

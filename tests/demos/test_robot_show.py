@@ -29,6 +29,7 @@ def test_demonstration_prints_what_its_page_says_records_and_ends(
     pytest.importorskip("viser", reason="the page needs the extra: pip install 'tfloom[view]'")
     (command,) = page.commands(page.blocks(page.DOCS / "how_to" / "robot_in_a_room.md"))
     monkeypatch.setenv("BROWSER", f"sh -c 'touch {tmp_path}.opened' %s")
+    monkeypatch.delenv("CI", raising=False)
     demo = start_program(*command.words.split(), "--view", cwd=tmp_path)
     line = demo.wait_for("See it in a browser: http://127.0.0.1:")
     with urllib.request.urlopen(line.removeprefix("See it in a browser: ")) as response:
@@ -186,6 +187,39 @@ def test_a_page_that_is_slow_is_awaited(
         pytest.raises(ShowError, match="the page was not there in 0 s"),
     ):
         late.run(0.0)
+
+
+@pytest.mark.parametrize("opens_page", [False, True])
+def test_address_of_a_page_that_was_asked_for_is_last(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *, opens_page: bool
+) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    monkeypatch.setenv("CI", "yes")  # where nobody would see it
+
+    def start(command: list[str], on_line: Callable[[str], object] | None) -> Stopped:
+        if "view" in command and on_line is not None:
+            on_line("Open http://127.0.0.1:1/")
+        elif on_line is not None:
+            for line in (
+                "After 0.5 m: odometry alone",
+                f"After 1.0 m: {robot_show.IS_CORRECTED} 0.01 m",
+                "After 9 m",
+            ):
+                on_line(line)
+        return Stopped()
+
+    show = RobotShow(start, example_folder(), tmp_path / "x", has_page=True, opens_page=opens_page)
+    with show:
+        show.run(0.5)
+    lines = capsys.readouterr().out.splitlines()
+    address = lines.index("See it in a browser: http://127.0.0.1:1/")
+    assert (address, len(lines)) == ((2, 3) if opens_page else (0, 4))
+    assert opened == []
+    monkeypatch.delenv("CI")
+    monkeypatch.setenv("DISPLAY", ":7")
+    with RobotShow(start, example_folder(), tmp_path / "y", has_page=True, opens_page=opens_page):
+        assert opened == ["http://127.0.0.1:1/"] * opens_page
 
 
 def test_comparison_that_fails_or_hangs_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

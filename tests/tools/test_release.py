@@ -106,13 +106,13 @@ def test_sdist_holds_what_a_build_needs_alone(files: list[Path]) -> None:
         "native",
         "pyproject.toml",
         "src",
-        "tools",  # the build backend, and what writes the requirements of a wheel
+        "tools",  # the build backend, what it looks for a compiler with, and what writes the requirements of a wheel
     }
     assert tops == expected
     tools = {
         name.split("/", 2)[2] for name in names if name.split("/")[1:2] == ["tools"] and name.count("/") > 1
     }
-    assert tools == {"build_backend.py", "wheel_requirements.py"}
+    assert tools == {"build_backend.py", "set_up.py", "wheel_requirements.py"}
     examples = {
         name.split("/")[2] for name in names if name.split("/")[1:2] == ["examples"] and name.count("/") > 2
     }

@@ -245,9 +245,85 @@ def test_without_a_compiler_the_package_is_named(
     monkeypatch.delenv("CXX", raising=False)
     monkeypatch.setattr(sys, "platform", "linux")
     monkeypatch.setattr(platform, "freedesktop_os_release", lambda: release)
+    monkeypatch.setattr("sysconfig.get_path", lambda _: str(tmp_path))
+    (tmp_path / "Python.h").touch()
     with pytest.raises(set_up.SetUpError) as raised:
         set_up.check_compiler()
     assert str(raised.value) == f"no C++ compiler was found; this brings one: {command}"
+    (tmp_path / "Python.h").unlink()
+    with pytest.raises(set_up.SetUpError) as raised:
+        set_up.check_compiler()
+    headers = {"apt-get": " python3-dev", "dnf": " python3-devel", "apk": " python3-dev"}
+    assert str(raised.value).endswith(f": {command}{headers.get(command.split(maxsplit=1)[0], '')}")
+
+
+def test_without_a_compiler_on_macos_apples_command_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There is always a program of the compiler's name."""
+    stub = write_program(
+        tmp_path / "c++", "echo 'xcode-select: note: No developer tools were found' >&2; exit 1"
+    )
+    monkeypatch.setenv("CXX", str(stub))
+    with pytest.raises(set_up.SetUpError, match=r"no C\+\+ compiler was found; .*: xcode-select --install$"):
+        set_up.check_compiler()
+    monkeypatch.setattr(sys, "platform", "darwin")
+    monkeypatch.delenv("CXX")
+    monkeypatch.setenv("PATH", str(tmp_path / "nothing"))
+    with pytest.raises(set_up.SetUpError, match=r"this brings one: xcode-select --install$"):
+        set_up.check_compiler()
+
+
+def test_without_a_compiler_on_windows_the_build_tools_are_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.delenv("CXX", raising=False)
+    monkeypatch.setenv("PROGRAMFILES(X86)", str(tmp_path))
+    assert not set_up._has_windows_compiler()
+    installer = tmp_path / "Microsoft Visual Studio" / "Installer"
+    installer.mkdir(parents=True)
+    (installer / "vswhere.exe").touch()
+    assert set_up._has_windows_compiler()
+    monkeypatch.setenv("PROGRAMFILES(X86)", str(tmp_path / "nothing"))
+    assert not set_up._has_windows_compiler()
+    write_program(tmp_path / "g++", "exit 0")
+    assert set_up._has_windows_compiler()
+    assert "Microsoft.VisualStudio.2022.BuildTools" in set_up.ON_WINDOWS
+
+
+HOOK = "import build_backend, sys; print(getattr(build_backend, sys.argv[1])(eval(sys.argv[2])))"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the message is that of Linux")
+@pytest.mark.parametrize("hook", ["get_requires_for_build_wheel", "get_requires_for_build_editable"])
+def test_build_ends_in_one_line_without_a_compiler(hook: str, tmp_path: Path) -> None:
+    variables = {
+        name: value
+        for name, value in os.environ.items()
+        if name not in {"CXX", "CMAKE_ARGS", "CMAKE_TOOLCHAIN_FILE"}
+    } | {"PATH": str(tmp_path), "PYTHONPATH": str(set_up.ROOT / "tools")}
+
+    def ask(
+        settings: dict[str, str], cwd: Path = set_up.ROOT, **more: str
+    ) -> subprocess.CompletedProcess[str]:
+        return run_to_end(
+            [sys.executable, "-c", HOOK, hook, repr(settings)], cwd=cwd, env={**variables, **more}
+        )
+
+    refused = ask({})
+    assert refused.returncode == 1
+    assert refused.stderr.startswith("tfloom: no C++ compiler was found; this brings one: ")
+    assert (refused.stderr.count("\n"), refused.stdout) == (1, "")
+    # What compiles nothing needs none; and where CMake was told of a compiler, it looks by itself.
+    for good in (
+        ask({"wheel.cmake": "false"}),
+        ask({"cmake.define.CMAKE_CXX_COMPILER": "/opt/c++"}),
+        ask({}, CMAKE_TOOLCHAIN_FILE="arm64.cmake"),
+        ask({}, set_up.ROOT / "packages" / "tfloom-interfaces"),
+    ):
+        assert good.returncode == 0, good
+        assert "compiler was found" not in good.stderr
 
 
 def test_a_compiler_that_is_too_old_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -31,6 +31,7 @@ UNWATCHED_S = 15.0
 """Duration where neither a terminal nor a page shows the demonstration [s]."""
 JOIN_IN = "Join in from another terminal: export ROS_DOMAIN_ID={domain_id}"
 ON_DOMAIN = "It runs on domain {domain_id}, as ROS_DOMAIN_ID says."
+ON_DEFAULT_DOMAIN = "It runs on domain {domain_id}, because ROS_DOMAIN_ID isn't set."
 OTHERS = (
     "on domain {domain_id} are already: {names}. The demonstration would drive them, too: unset ROS_DOMAIN_ID, or set "
     "another one, or add --here"
@@ -164,7 +165,8 @@ def _domain(*, is_shared: bool) -> Iterator[int]:
         names = ", ".join(map(shown_part, found[:MAX_NAMES]))
         more = f" and {len(found) - MAX_NAMES} more" if len(found) > MAX_NAMES else ""
         raise CommandError(OTHERS.format(domain_id=domain_id, names=f"{names}{more}"))
-    print(ON_DOMAIN.format(domain_id=domain_id))
+    is_set = bool(os.environ.get("ROS_DOMAIN_ID"))
+    print((ON_DOMAIN if is_set else ON_DEFAULT_DOMAIN).format(domain_id=domain_id))
     yield domain_id
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import signal
 import sys
@@ -16,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import full_name, full_topic_name
 from tfloom.cli.shared.numbers import seconds
-from tfloom.common.terminal import report, shown_part
+from tfloom.common.terminal import has_browser, report, shown_part
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC
 from tfloom.viewer.extra import MISSING, is_description, is_installed
 
@@ -442,7 +441,4 @@ def start_pages(viewer: Viewer, host: str, port: int | None) -> None:
 
 def _has_browser(*, needs_terminal: bool) -> bool:
     """Return whether a person is there who would see a browser."""
-    has_screen = sys.platform in {"win32", "darwin"} or any(
-        name in os.environ for name in ("DISPLAY", "WAYLAND_DISPLAY")
-    )
-    return has_screen and (not needs_terminal or (sys.stdout is not None and sys.stdout.isatty()))
+    return has_browser() and (not needs_terminal or (sys.stdout is not None and sys.stdout.isatty()))

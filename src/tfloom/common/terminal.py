@@ -18,6 +18,7 @@ from typing import Any, TextIO
 __all__ = [
     "TerminalOutput",
     "drop_unwritten",
+    "has_browser",
     "is_terminal",
     "report",
     "shown",
@@ -40,6 +41,14 @@ MAX_NAME = 200
 def _escape(match: re.Match[str]) -> str:
     code = ord(match.group())
     return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"
+
+
+def has_browser() -> bool:
+    """Return whether a browser would be seen: there is a screen, or BROWSER names one, and it is not a run of a CI."""
+    has_screen = (
+        sys.platform in {"win32", "darwin"} or {"BROWSER", "DISPLAY", "WAYLAND_DISPLAY"} & os.environ.keys()
+    )
+    return bool(has_screen) and "CI" not in os.environ
 
 
 def shown(text: str) -> str:

@@ -12,6 +12,8 @@ import time
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Protocol
 
+from tfloom.common.terminal import has_browser
+
 if TYPE_CHECKING:
     from typing_extensions import Self
 
@@ -63,7 +65,8 @@ class ProgramGroup:
         start: Starts a program.
         programs: The programs by their names: `module:function`, or a file, and arguments.
         shown: The programs whose lines are printed.
-        opens_page: Whether to open the page of the program `view` in a browser.
+        opens_page: Whether to open the page of the program `view` in a browser, if there is one. Its address is then
+            the last line until the end.
     """
 
     def __init__(
@@ -80,6 +83,8 @@ class ProgramGroup:
         self._shown = frozenset(shown)
         self._lines: queue.SimpleQueue[str] = queue.SimpleQueue()
         self._programs: dict[str, Program] = {}
+        self._address = ""
+        """Where the page is; empty: not yet."""
         self._awaits_page = "view" in programs
         """Whether the page's address is still to be printed: a demonstration doesn't end before."""
 
@@ -98,31 +103,40 @@ class ProgramGroup:
     def _start(self, name: str, command: list[str]) -> None:
         on_line: Callable[[str], object] | None = None
         if name == "view":
-            on_line = self._show_address
+            on_line = self._take_address
         elif name in self._shown:
             on_line = self._lines.put
         self._programs[name] = self._start_program(command, on_line)
 
-    def _show_address(self, line: str) -> None:
-        """Print the address of the page when it is there; on the thread of its program."""
+    def _take_address(self, line: str) -> None:
+        """Open the page when it is there; on the thread of its program."""
         if not line.startswith(ADDRESS):
             return
-        address = line.removeprefix(ADDRESS)
-        self._lines.put(f"{TELLS_ADDRESS}{address}")
-        if self._opens_page:
+        self._address = line.removeprefix(ADDRESS)
+        if self._opens_page and has_browser():
             import webbrowser
 
-            webbrowser.open(address)
+            webbrowser.open(self._address)
 
     def _print_line(self, timeout_s: float = 0.1) -> str:
-        """Print the next line of the shown programs, and return it; an empty text if there is none in time."""
+        """Print the next line of the shown programs, and return it; an empty text if there is none in time.
+
+        Behind the address of a page that was asked for nothing is printed, so that its user finds it.
+        """
+        if self._awaits_page and self._address and (self._has_told() or not self._opens_page):
+            self._awaits_page = False
+            print(f"{TELLS_ADDRESS}{self._address}\n", end="")
         with contextlib.suppress(queue.Empty):
             line = self._lines.get(timeout=timeout_s)
             self._note(line)
-            print(f"{line}\n", end="")  # in one piece, because Ctrl-C may come after any write
-            self._awaits_page &= not line.startswith(TELLS_ADDRESS)
+            if self._awaits_page or not self._opens_page:
+                print(f"{line}\n", end="")  # in one piece, because Ctrl-C may come after any write
             return line
         return ""
+
+    def _has_told(self) -> bool:
+        """Return whether what comes before the page's address was printed."""
+        return True
 
     def _note(self, line: str) -> None:
         """Take note of a line of a shown program before it is printed, because Ctrl-C may come right after."""

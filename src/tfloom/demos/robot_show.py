@@ -156,6 +156,9 @@ class RobotShow(ProgramGroup):
     def _note(self, line: str) -> None:
         self._works |= IS_CORRECTED in line
 
+    def _has_told(self) -> bool:
+        return self._works
+
     def compare(self) -> None:
         """Print the errors of the recording, and where it is. The programs have to be at their end.
 

@@ -90,6 +90,9 @@ class Show(ProgramGroup):
                 if self._awaits_page:
                     raise ShowError(f"the page was not there in {PATIENCE_S:.0f} s")
 
+    def _has_told(self) -> bool:
+        return self._has_drawn
+
     def _is_complete(self) -> bool:
         """Return whether the second turtle is in the tree, too."""
         return any("Successfully spawned" in line for line in list(self._programs["listener"].log))

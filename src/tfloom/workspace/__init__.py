@@ -1,6 +1,7 @@
 """ROS workspaces: packages that colcon has built, and tfloom's own programs.
 
-- ament, index, ament_index, unsourced: packages of prefixes, tfloom's programs, packages that no program finds
+- ament, index, ament_index, unsourced, packages_around: packages of prefixes, tfloom's programs, packages that no
+  program finds, those of a clone
 - program_scripts: a path for each of tfloom's programs
 - resource_retriever: files named by package:// and other URLs
 - create, package_templates: new packages
