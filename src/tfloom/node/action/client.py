@@ -52,12 +52,15 @@ if TYPE_CHECKING:
     from tfloom.node.endpoints.subscription import MessageInfo
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
+    from tfloom.rmw.base import Sample
 
 __all__ = ["ActionClient", "ClientGoalHandle"]
 
 T = TypeVar("T")
 
 _POLL_S = 0.01
+GOAL_ID = slice(4, 20)
+"""Where the id of the goal is in encoded feedback: after the encapsulation header."""
 MAX_ENDED = 64
 """Number of ended goals whose feedback callbacks are kept, because feedback may arrive behind the goal's end."""
 
@@ -132,6 +135,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         cancel_service_qos_profile: QoS of the service that cancels goals.
         feedback_sub_qos_profile: QoS of the feedback.
         status_sub_qos_profile: QoS of the goals' states.
+        enable_feedback_msg_optimization: Whether feedback of other clients' goals is dropped by the goal's id alone,
+            before it is decoded.
 
     Raises:
         AttributeError: `action_type` is not a ROS type.
@@ -151,6 +156,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
         feedback_sub_qos_profile: QoSProfile = QoSProfile(depth=10),  # never changed
         status_sub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        enable_feedback_msg_optimization: bool = False,
     ) -> None:
         check_is_valid_action_type(action_type)
         if (
@@ -191,6 +197,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             feedback_sub_qos_profile,
             callback_group=callback_group,
         )
+        if enable_feedback_msg_optimization:
+            self._feedback.filter_samples(self._is_of_own_goal)
         self._status = node.create_subscription(
             GoalStatusArray,
             action_name + STATUS,
@@ -438,6 +446,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             self._ended_ns[key] = stamp_ns
             if len(self._ended_ns) > MAX_ENDED:
                 self._forget_feedback(self._ended_ns.popitem(last=False)[0])
+
+    def _is_of_own_goal(self, sample: Sample) -> bool:
+        """Return whether feedback, which begins with the goal's id, has a callback here."""
+        return sample.data[GOAL_ID] in self._feedback_callbacks
 
     def _on_feedback(self, message: Any, info: MessageInfo) -> Any:
         key = key_of(message.goal_id)

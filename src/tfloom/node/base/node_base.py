@@ -39,6 +39,7 @@ from tfloom.node.parameters.parameter_declaration import warn_of_names_alone
 from tfloom.node.qos.qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 from tfloom.node.qos.qos_overriding_options import QoSOverridingOptions, apply_overrides
 from tfloom.node.values.duration import INT64_MAX, S_TO_NS
+from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.names import name_error
 from tfloom.node.values.time import ClockType, check_fits_stamp
@@ -62,6 +63,7 @@ if TYPE_CHECKING:
 
     from tfloom.node.base.node_entities import Destroyable
     from tfloom.node.context.context import Context
+    from tfloom.node.endpoints.content_filter import ContentFilter, ContentFilterOptions
     from tfloom.node.endpoints.service import ServiceCallback
     from tfloom.node.endpoints.subscription import SubscriptionCallback
     from tfloom.node.executing.entity import Entity
@@ -782,6 +784,7 @@ class NodeBase:
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: Literal[False] = False,
+        content_filter_options: ContentFilterOptions | None = None,
         acceptable_buffer_backends: str | None = None,
     ) -> Subscription[MsgType]: ...
 
@@ -797,6 +800,7 @@ class NodeBase:
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool,
+        content_filter_options: ContentFilterOptions | None = None,
         acceptable_buffer_backends: str | None = None,
     ) -> Subscription[MsgType]: ...
 
@@ -811,6 +815,7 @@ class NodeBase:
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
+        content_filter_options: ContentFilterOptions | None = None,
         acceptable_buffer_backends: str | None = None,  # for the reference's signature
     ) -> Subscription[MsgType]:
         """Create a subscription.
@@ -824,6 +829,8 @@ class NodeBase:
             event_callbacks: Callbacks for its events; None: a warning is logged about incompatible QoS.
             qos_overriding_options: Which policies parameters may override; None: none.
             raw: Whether the callback takes bytes, encapsulation header and CDR, rather than messages.
+            content_filter_options: An expression about the messages' fields; only those for which it is true are
+                received. None: all. AND and OR bind equally, and are read from left to right.
             acceptable_buffer_backends: Unused, because buffers are of this computer's memory alone; kept for the
                 signature of later releases.
 
@@ -834,11 +841,13 @@ class NodeBase:
             TypeError, ValueError: `qos_profile` is neither a profile nor a depth.
             InvalidQosOverridesError: the parameters give an invalid profile.
             RuntimeError: `callback` takes neither one argument nor two.
+            RCLError: the expression of `content_filter_options` can't be used with these messages.
             UnsupportedEventTypeError: the wire doesn't support an event that there is a callback for.
         """
         error = msg_type_error(msg_type) or name_error(topic) or profile_error(qos_profile)
         if (error := error or callback_error(callback) or group_error(callback_group)) is not None:
             raise error
+        content_filter = _content_filter(msg_type, content_filter_options)
         entities = self.__entities
         name = self.resolve_topic_name(topic)
         profile = self.__profile("subscription", name, qos_profile, qos_overriding_options)
@@ -859,6 +868,7 @@ class NodeBase:
             reader.close()
             raise
         subscription.topic = topic
+        subscription.filter_by(content_filter)
         entities.add(subscription)
         try:
             subscription.event_handlers = entities.watch(
@@ -1217,6 +1227,23 @@ class NodeBase:
 def as_profile(qos_profile: QoSProfile | int) -> QoSProfile:
     """Return a profile as it is, and a depth as a profile of it."""
     return qos_profile if isinstance(qos_profile, QoSProfile) else QoSProfile(depth=qos_profile)
+
+
+def _content_filter(msg_type: type[MsgType], options: ContentFilterOptions | None) -> ContentFilter | None:
+    if options is None:
+        return None
+    from tfloom.node.endpoints.content_filter import ContentFilter, ContentFilterOptions, FilterError
+
+    if not (hasattr(options, "filter_expression") and hasattr(options, "expression_parameters")):
+        raise TypeError(
+            f"content_filter_options must be ContentFilterOptions, got {options!r}: "
+            "write ContentFilterOptions('data > %0', ['5'])"
+        )
+    whole = ContentFilterOptions(options.filter_expression, options.expression_parameters)
+    try:
+        return ContentFilter(msg_type, whole)
+    except FilterError as error:
+        raise RCLError(f"Failed to set content_filter_options: {error}") from None
 
 
 def profile_error(qos_profile: Any) -> Exception | None:

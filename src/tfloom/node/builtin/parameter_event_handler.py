@@ -133,6 +133,26 @@ class ParameterEventHandler:
         """Undo one `add_parameter_event_callback`; RuntimeError if that has been done."""
         _remove_handle(self._callbacks.event_callbacks, handle)
 
+    def configure_nodes_filter(self, node_names: list[str] | None = None) -> bool:
+        """Receive only the events of some nodes, by a content filter; None, or no name: those of all.
+
+        Args:
+            node_names: The nodes; a relative name is in this node's namespace.
+
+        Returns:
+            Whether the subscription has a content filter now.
+
+        Raises:
+            TypeError: a name is not a text, or there is a text in place of the list.
+            RCLError: there are more names than an expression may have parameters; the filter is as before.
+        """
+        if isinstance(node_names, str) or not all(isinstance(name, str) for name in node_names or ()):
+            raise TypeError(f"configure_nodes_filter() needs a list of names of nodes, got {node_names!r}")
+        names = [self._full_name(name) for name in node_names or ()]
+        expression = " OR ".join(f"node = %{number}" for number in range(len(names)))
+        self.parameter_event_subscription.set_content_filter(expression, [f"'{name}'" for name in names])
+        return self.parameter_event_subscription.is_cft_enabled
+
     def destroy(self) -> None:
         """Stop listening: destroy the subscription."""
         self.node.destroy_subscription(self.parameter_event_subscription)

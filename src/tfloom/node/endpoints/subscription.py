@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from enum import Enum
 from types import FunctionType, MethodType
-from typing import TYPE_CHECKING, Any, Generic, TypedDict
+from typing import TYPE_CHECKING, Any, Generic, TypedDict, cast
 
 from tfloom.node.context.utilities import get_rmw_implementation_identifier
 from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.executing.entity import Entity
 from tfloom.node.qos.qos import HistoryPolicy, QoSProfile
+from tfloom.node.values.exceptions import RCLError
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.type_support import MsgType
 from tfloom.node.values.wrong_arguments import not_callable
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from typing import TypeAlias
 
     from tfloom._native import ReadyQueue, Sink
+    from tfloom.node.endpoints.content_filter import ContentFilter, ContentFilterOptions
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.event_handler import EventHandler
     from tfloom.node.log.rcutils_logger import RcutilsLogger
@@ -102,6 +104,9 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         self._queue: tuple[ReadyQueue, int] | None = None
         """Of the executor that this is attached to, and the token there."""
         self.event_handlers: list[EventHandler] = []
+        self._filter: ContentFilter | None = None
+        self._accepted: tuple[Sample | None, Any] = (None, None)
+        """The sample that the filter has accepted last, and its message. Replaced whole."""
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -155,6 +160,95 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
             return super().take()
         return _FED if self._sink.take_pushed() else None
 
+    # Content filters
+
+    @property
+    def is_cft_supported(self) -> bool:
+        """Whether it can have a content filter: always, because the messages are filtered here."""
+        return True
+
+    @property
+    def is_cft_enabled(self) -> bool:
+        """Whether it has a content filter.
+
+        Raises:
+            InvalidHandle: it was destroyed, as below.
+        """
+        self._alive()
+        return self._filter is not None
+
+    def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
+        """Receive only the messages for which an expression is true, from now on.
+
+        Args:
+            filter_expression: As `data > %0 AND header.frame_id LIKE 'base%'`; empty: receive all.
+            expression_parameters: The literals that stand for `%0`, `%1` …, texts in single quotes.
+
+        Raises:
+            RCLError: the expression can't be used with these messages; the filter is as before.
+            TypeError: the expression is not a text, or the parameters are not a list of texts.
+        """
+        from tfloom.node.endpoints.content_filter import ContentFilter, ContentFilterOptions, FilterError
+
+        self._alive()
+        options = ContentFilterOptions(filter_expression, expression_parameters)
+        try:
+            content_filter = ContentFilter(self.msg_type, options)
+        except FilterError as error:
+            raise RCLError(f"Failed to set cft expression parameters: {error}") from None
+        self.filter_by(content_filter if filter_expression else None)
+
+    def get_content_filter(self) -> ContentFilterOptions:
+        """Return the expression and its parameters.
+
+        Raises:
+            RCLError: there is no content filter.
+        """
+        self._alive()
+        if self._filter is None:
+            raise RCLError("Failed to get cft expression parameters: the subscription has no content filter")
+        return self._filter.options
+
+    def filter_by(self, content_filter: ContentFilter | None) -> None:
+        """Receive only what a compiled filter accepts; None: all."""
+        if content_filter is not None:
+            self.filter_samples(self._accepts)
+        self._filter = content_filter
+
+    def filter_samples(self, accepts: Callable[[Sample], bool]) -> None:
+        """Take only the samples that a function accepts, in place of an earlier one."""
+        # Imported where it is used, as above, because few programs filter.
+        from tfloom.node.endpoints.content_filter import FilteringReader
+
+        if isinstance(self._endpoint, FilteringReader):
+            self._endpoint.accepts = accepts
+            return
+        self._endpoint = cast("Reader", FilteringReader(self._endpoint, accepts))
+        if self._queue is not None:
+            self._endpoint.notify(*self._queue)
+
+    def _accepts(self, sample: Sample) -> bool:
+        content_filter = self._filter
+        if content_filter is None:
+            return True
+        try:
+            message = cdr.decode(self.msg_type, sample.data)
+        except cdr.DecodeError as error:
+            self._warn(sample, error)
+            return False
+        if not content_filter.accepts(message):
+            return False
+        self._accepted = (sample, message)
+        return True
+
+    def _message(self, sample: Sample) -> Any:
+        """Return the message of a sample, which the filter may have decoded."""
+        accepted, message = self._accepted
+        if accepted is not sample:
+            return cdr.decode(self.msg_type, sample.data)
+        self._accepted = (None, None)
+        return message
+
     def get_publisher_count(self) -> int:
         """Return the number of connected publishers.
 
@@ -180,7 +274,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
 
     def _read(self, incoming: Sample) -> Any:
         """Return the arguments for the callback."""
-        message = incoming.data if self.raw else cdr.decode(self.msg_type, incoming.data)
+        message = incoming.data if self.raw else self._message(incoming)
         return (message, _message_info(incoming)) if self._with_info else (message,)
 
     def run(self, taken: Any) -> Any:
