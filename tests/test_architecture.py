@@ -429,7 +429,10 @@ HEAVY = {"numpy", "pygame", "PIL", "reportlab", "yaml", "asyncio"}
     ("arguments", "heavy"),
     [
         (["--help"], HEAVY),
-        (["topic", "list", "--spin-time", "0.2"], HEAVY | {"pathlib", "socket"}),
+        (
+            ["topic", "list", "--spin-time", "0.2"],
+            HEAVY | {"pathlib", "socket", "difflib", "tfloom.rmw.shared.endpoint_text"},
+        ),
         (["launch", "--help"], HEAVY | {"tfloom._native"}),
     ],
     ids=["help", "topic list", "launch"],

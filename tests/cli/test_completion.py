@@ -30,7 +30,7 @@ from tfloom.workspace.interfaces import known_interfaces
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="completion is a shell's")
 
 
-PATIENT = {"tfloom.cli.completion.MAX_WAIT_S": 10.0, "tfloom.cli.shared.type_names.LIVE_S": 10.0}
+PATIENT = {"tfloom.cli.completion.MAX_WAIT_S": 10.0}
 
 
 EACH = """

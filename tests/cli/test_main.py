@@ -17,12 +17,12 @@ from tests.conftest import run_to_end
 from tests.each import for_each
 
 from tfloom.cli import main as cli
-from tfloom.cli.parser import Group, VerbCode, VerbParser, command_module
+from tfloom.cli.parser import Group, VerbCode, VerbParser, command_module, load_verb
 
 
 def code_of(word: str, verb: str = "") -> VerbCode:
     command = cli.COMMANDS[word]
-    return command.code_of(word, verb) if isinstance(command, Group) else VerbCode(command_module(word))
+    return command.code_of(word, verb) if isinstance(command, Group) else (command_module(word), "")
 
 
 def all_code() -> list[VerbCode]:
@@ -35,7 +35,7 @@ def all_code() -> list[VerbCode]:
 
 @for_each(all_code())
 def test_each_verb_of_the_table_has_both_functions(code: VerbCode) -> None:
-    add_arguments, main = code.load()
+    add_arguments, main = load_verb(code)
     assert callable(add_arguments)
     assert callable(main)
 
@@ -73,7 +73,7 @@ def test_flags_on_the_commands_page_exist(word: str) -> None:
     page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
     asked = re.findall(rf"`(?:ros2 )?{word} ?(\w*)[^`]*?(--[\w-]+)", page)
     for verb, flag in asked:
-        add_arguments, _ = code_of(word, verb).load()
+        add_arguments, _ = load_verb(code_of(word, verb))
         parser = VerbParser()
         add_arguments(parser)
         assert flag in parser.flags(), (word, verb, flag)

@@ -30,7 +30,7 @@ from std_msgs.msg import Header, Int8
 from tests.cli.extensions import install, run_here
 
 from tfloom.cli.main import COMMANDS
-from tfloom.cli.parser import Group
+from tfloom.cli.parser import Group, load_verb
 from tfloom.cli.plugins.extensions import VerbExtension
 from tfloom.cli.verb_classes import verbs
 
@@ -81,7 +81,7 @@ def test_reference_s_classes_that_programs_import_are_there(module: str) -> None
         cls = getattr(import_module(module), name, None)
         if name.endswith("Verb") and cls is not None:
             assert issubclass(cls, VerbExtension)
-            assert callable(cls.CODE.load()[1])
+            assert callable(load_verb(cls.CODE)[1])
 
 
 @pytest.mark.parametrize("module", sorted({*verb_classes(), "ros2component.verb.types"} - SEEN_IN_PROGRAMS))
@@ -101,7 +101,7 @@ def test_each_class_has_the_summary_of_its_verb() -> None:
     for cls in vars(verbs).values():
         if not (isinstance(cls, type) and "CODE" in vars(cls)):
             continue
-        command = cls.CODE.module.split(".")[2]
+        command = cls.CODE[0].split(".")[2]
         group = COMMANDS[command]
         assert isinstance(group, Group)
         (verb,) = (verb for verb in group.verbs if group.code_of(command, verb) == cls.CODE)

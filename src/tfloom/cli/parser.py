@@ -30,24 +30,27 @@ class Group(NamedTuple):
     def code_of(self, word: str, verb: str) -> VerbCode:
         """Return where the code of a verb is, given the group's word."""
         if self.file and verb not in self.own_files:
-            return VerbCode(f"tfloom.cli.{self.file}", verb)
-        return VerbCode(f"tfloom.cli.{word}.{verb}")
+            return f"tfloom.cli.{self.file}", verb
+        return f"tfloom.cli.{word}.{verb}", ""
 
 
-class VerbCode(NamedTuple):
-    """Where the two functions of a verb are: `add_arguments(parser)`, and `main(args) -> int`."""
+VerbCode: TypeAlias = "tuple[str, str]"
+"""Where the two functions of a verb are: a module, imported when the verb is called, and the verb if it has several.
 
-    module: str
-    """Imported when the verb is called."""
-    verb: str = ""
-    """In a module of several verbs the functions are `add_<verb>_arguments` and `<verb>_main`; empty: it has one."""
+The functions are `add_arguments(parser)` and `main(args) -> int`; in a module of several, `add_<verb>_arguments` and
+`<verb>_main`.
+"""
 
-    def load(self) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
-        """Import the module, and return the function that adds the arguments, and the one that runs the verb."""
-        module = import_module(self.module)
-        if self.verb:
-            return getattr(module, f"add_{self.verb}_arguments"), getattr(module, f"{self.verb}_main")
-        return module.add_arguments, module.main
+
+def load_verb(
+    code: VerbCode,
+) -> tuple[Callable[[argparse.ArgumentParser], None], Callable[[argparse.Namespace], int]]:
+    """Import a verb's module, and return the function that adds the arguments, and the one that runs the verb."""
+    name, verb = code
+    module = import_module(name)
+    if verb:
+        return getattr(module, f"add_{verb}_arguments"), getattr(module, f"{verb}_main")
+    return module.add_arguments, module.main
 
 
 AddExtensions: TypeAlias = "Callable[[VerbParser, Any, str], Callable[[], None]]"
@@ -156,10 +159,10 @@ class VerbParser(argparse.ArgumentParser):
             fill_extension(self)
         if self._code is not None:
             code, self._code = self._code, None
-            add_arguments, main = code.load()
+            add_arguments, main = load_verb(code)
             add_arguments(self)
             self.set_defaults(run_verb=main, verb_parser=self)
-            self._hint_after_error = getattr(import_module(code.module), "hint_after_error", None)
+            self._hint_after_error = getattr(import_module(code[0]), "hint_after_error", None)
 
     def parse_args(  # type: ignore[override]
         self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None
@@ -237,7 +240,7 @@ def build_parser(
             summary = command
             options: dict[str, Any] = {
                 "aliases": VERB_ALIASES.get(word, ()),
-                "code": VerbCode(command_module(word)),
+                "code": (command_module(word), ""),
             }
         else:
             summary = command.summary

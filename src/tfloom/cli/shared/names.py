@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING
@@ -47,6 +46,8 @@ def full_topic_name(name: str, what: str = "topic") -> str:
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """Return a line with up to three known names near to `name`, or an empty text."""
+    import difflib
+
     near = difflib.get_close_matches(name, list(known), 3, 0.51)
     return f"\ndid you mean {or_list(near)}?" if near else ""
 

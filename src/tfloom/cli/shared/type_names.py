@@ -17,8 +17,6 @@ SPREAD = 0.03
 """The largest difference in similarity from the nearest name."""
 SAME_BASE = 0.95
 """Similarity of names that differ only before the last slash, or in upper and lower case."""
-LIVE_S = 0.5
-"""The longest wait for discovery [s]."""
 
 
 def did_you_mean_type(name: str, kind: str, live: Collection[str] = ()) -> str:

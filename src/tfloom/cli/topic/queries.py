@@ -10,7 +10,6 @@ from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listing import print_json, print_names, print_types
 from tfloom.cli.shared.names import did_you_mean, full_topic_name
 from tfloom.rmw.base import EndpointInfo
-from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text, policy_texts
 
 
 def add_find_arguments(parser: argparse.ArgumentParser) -> None:
@@ -78,6 +77,8 @@ def info_main(args: argparse.Namespace) -> int:
 
 def describe_endpoint(end: EndpointInfo) -> str:
     """Return the lines that describe a writer or a reader."""
+    from tfloom.rmw.shared.endpoint_text import UNKNOWN_NODE, endpoint_text
+
     return endpoint_text(
         end.node or UNKNOWN_NODE,
         end.topic.type_name,
@@ -89,6 +90,8 @@ def describe_endpoint(end: EndpointInfo) -> str:
 
 
 def _plain(end: EndpointInfo) -> dict[str, object]:
+    from tfloom.rmw.shared.endpoint_text import policy_texts
+
     return {
         "node": end.node.full if end.node else None,
         "type": end.topic.type_name,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import Any, ClassVar
 
-from tfloom.cli.parser import VerbCode
+from tfloom.cli.parser import VerbCode, load_verb
 from tfloom.cli.plugins.extensions import VerbExtension
 from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
@@ -32,11 +32,11 @@ class BuiltinVerb(VerbExtension):
     def __init_subclass__(cls, *, module: str = "", verb: str = "") -> None:
         super().__init_subclass__()
         if module:  # of a verb of ours; a derived class has that of its base
-            cls.CODE = VerbCode(module, verb)
+            cls.CODE = (module, verb)
 
     def add_arguments(self, parser: argparse.ArgumentParser, cli_name: str) -> None:
         """Add the verb's arguments to a parser."""
-        self.CODE.load()[0](parser)
+        load_verb(self.CODE)[0](parser)
 
     def main(self, *, args: argparse.Namespace) -> int | str | None:
         """Run the verb; return its exit code, None for 0, or the text of an error.
@@ -45,7 +45,7 @@ class BuiltinVerb(VerbExtension):
             args: What a parser with the verb's arguments has read. An optional argument that it lacks has its default.
         """
         parser = argparse.ArgumentParser(add_help=False)
-        add_arguments, run = self.CODE.load()
+        add_arguments, run = load_verb(self.CODE)
         add_arguments(parser)
         optional = {action.dest: action.default for action in parser._actions if not action.required}
         optional |= parser._defaults  # argparse has no other way to ask for what a parser gives

@@ -12,7 +12,7 @@ from tfloom.viewer.displays.display import Display, Latest
 if TYPE_CHECKING:
     from tfloom.viewer.displays.settings import Value
 
-__all__ = ["IMAGE_TYPES", "KEPT_TYPES", "KINDS", "NO_SETTINGS", "Kind", "kind_of", "make_display"]
+__all__ = ["KEPT_TYPES", "KINDS", "NO_SETTINGS", "Kind", "kind_of", "make_display"]
 
 NO_SETTINGS: Mapping[str, Value] = MappingProxyType({})
 """Of a display that has none, or of which a layout sets none."""
@@ -30,9 +30,6 @@ class Kind(NamedTuple):
     settings: Mapping[str, Value] = NO_SETTINGS
     """Its settings, with the values that count where a layout sets none."""
 
-
-IMAGE_TYPES = frozenset(("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage"))
-"""Types that are shown beside the scene."""
 
 KEPT_TYPES = frozenset(("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray"))
 """Types whose displays keep what earlier messages made."""
