@@ -14,7 +14,7 @@ from urllib.parse import urlsplit
 
 import pytest
 import trimesh
-from tests.conftest import Program
+from tests.conftest import Program, wait_until
 from tests.viewer.conftest import Page, running
 from tests.viewer.scenes import Scene
 
@@ -137,6 +137,33 @@ def test_camera_sees_the_robot_whole_until_its_user_moves_it(bot: Path, open_pag
         # A camera that is moved takes its point along, which comes back with the next message.
         middle = pytest.approx((0.0, 0.0, 1.0), abs=1e-6)
         scene.wait_for(lambda: scene.camera.get("look_at") == middle)
+        scene.abort()
+
+
+def test_camera_of_a_page_that_begins_anew_is_told_again_until_its_user_moves_it(
+    bot: Path, open_page: PageOpener, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A browser that draws slowly places its first camera after it has taken the one that it was told."""
+    with shown(bot) as viewer:
+        page = open_page(viewer)
+        shown_whole(page)
+        page.send(op="fit_start")
+        scene = scene_of(viewer, page)
+        for _ in range(3):
+            scene.camera.clear()
+            scene.tell_camera(position=(3.0, 0.0, 0.0))
+            scene.wait_for(lambda: scene.camera.get("position") is not None)
+            assert 1.0 < scene.camera["position"][0] < 3.0
+            page.wait_for(lambda: page.name in viewer._settling)
+        scene.tell_camera(position=(0.0, 5.0, 0.0))
+        page.wait_for(lambda: not viewer._settling)
+        looks: list[Any] = []
+        monkeypatch.setattr(viewer._server, "look", lambda *words: looks.append(words))
+        scene.tell_camera(position=(3.0, 0.0, 0.0))
+        wait_until(lambda: viewer._server.view_point(page.name).position[0] == 3.0, what="the camera")
+        page.send(op="axes", length=0.5)
+        page.wait_for(lambda: page.state["axes_m"] == 0.5)
+        assert looks == []
         scene.abort()
 
 

@@ -57,6 +57,9 @@ MOVED_CAMERA = 0.01
 """A camera that has moved by this part of its distance was moved by its user."""
 FIT_S = 3.0
 """How long a new page is fitted to what comes [s], since there was something: frames and displays come one by one."""
+SETTLE_S = 60.0
+"""How long after that a page may look from where it began [s]: one that draws slowly takes what it is told, and then
+places its first camera."""
 TICK_S = 0.5
 """Longest wait for a command while no page is open [s]: so long takes an end."""
 
@@ -86,6 +89,8 @@ class _Fitting(NamedTuple):
     """From where it was told to look; None: not yet."""
     end_s: float = math.inf
     """Until when that is done, on the monotonic clock [s]."""
+    start: ViewPoint | None = None
+    """From where it looked before."""
 
 
 class _InterruptedError(BaseException):
@@ -159,6 +164,8 @@ class Viewer:
         """Pages whose camera is to stand at a frame that is not known yet."""
         self._unfitted: dict[str, _Fitting] = {}
         """New pages whose camera is to see all there is."""
+        self._settling: dict[str, _Fitting] = {}
+        """Pages whose camera does, as they were told."""
         self.pages.view_point = self._view_point
         if live is not None:
             live.driving.on_refusal = self._note_refusal
@@ -341,6 +348,7 @@ class Viewer:
             self._asked_fields.pop(page, None)
             self._unplaced.discard(page)
             self._unfitted.pop(page, None)
+            self._settling.pop(page, None)
 
     def _show_robot(self, page: str, operation: str, command: Mapping[str, Any]) -> None:
         """Let a page see all there is, or move joints.
@@ -387,18 +395,36 @@ class Viewer:
     def _fit_new_pages(self) -> None:
         """Let new pages see all that comes at their start, until their user has moved the camera."""
         now_s = time.monotonic()
-        for page, (before, end_s) in list(self._unfitted.items()):
+        for page, fitting in list(self._settling.items()):
+            if now_s > fitting.end_s + SETTLE_S or not self._stays(page, fitting):
+                del self._settling[page]
+        for page, (before, end_s, start) in list(self._unfitted.items()):
             now = self._server.view_point(page)
-            if before is not None and now is not None and not _are_near(before, now):
+            if before is not None and not self._stays(page, self._unfitted[page]):
                 del self._unfitted[page]
             elif (fitted := self._fitted(page)) is not None:
                 if before is None or not _are_near(before, fitted):
                     if not self._server.look(page, fitted):
                         continue
-                    self._unfitted[page] = _Fitting(fitted, end_s if before is not None else now_s + FIT_S)
+                    is_first = before is None
+                    self._unfitted[page] = _Fitting(
+                        fitted, now_s + FIT_S if is_first else end_s, now if is_first else start
+                    )
                 # A file is there as a whole as soon as it is read.
                 if self.view.is_whole and (now_s >= end_s or self._is_of_file):
-                    del self._unfitted[page]
+                    self._settling[page] = self._unfitted.pop(page)
+
+    def _stays(self, page: str, fitting: _Fitting) -> bool:
+        """Return whether a page looks from where it was told; it is told again where it has begun anew.
+
+        Otherwise its user has moved the camera, or it is closed.
+        """
+        now, told = self._server.view_point(page), fitting.view_point
+        if now is None or told is None:
+            return True
+        if _are_near(told, now):
+            return True
+        return fitting.start is not None and _are_near(fitting.start, now) and self._server.look(page, told)
 
     def _fit(self, page: str) -> None:
         """Let a page see all that is shown, from the side from which it looks.
