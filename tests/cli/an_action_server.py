@@ -12,6 +12,8 @@ import rclpy
 from action_msgs.msg import GoalInfo
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.qos import qos_profile_services_default
+from rclpy.service_introspection import ServiceIntrospectionState
 from turtlesim.action import RotateAbsolute
 
 SUCCEEDED, CANCELED = 4, 5
@@ -51,7 +53,10 @@ rclpy.init()
 node = rclpy.create_node("turtlesim")
 group = ReentrantCallbackGroup()
 feedback = node.create_publisher(Impl.FeedbackMessage, f"{NAME}/feedback", 10)
-node.create_service(Impl.SendGoalService, f"{NAME}/send_goal", on_goal, callback_group=group)
+goals = node.create_service(Impl.SendGoalService, f"{NAME}/send_goal", on_goal, callback_group=group)
+goals.configure_introspection(
+    node.get_clock(), qos_profile_services_default, ServiceIntrospectionState.CONTENTS
+)
 node.create_service(Impl.GetResultService, f"{NAME}/get_result", on_result, callback_group=group)
 node.create_service(Impl.CancelGoalService, f"{NAME}/cancel_goal", on_cancel, callback_group=group)
 executor = MultiThreadedExecutor(4)

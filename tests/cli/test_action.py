@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 import transcript
+from tests.conftest import Program
 
 SEND = ("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute")
 
@@ -78,6 +79,47 @@ def test_invalid_arguments_give_an_error_message() -> None:
     wrong = transcript.run_here("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/Rotate")
     assert wrong.text.startswith("The passed action type is invalid\n")
     assert transcript.run_here(*SEND, "{angle: 1}").text.endswith("RotateAbsolute_Goal has: theta")
+
+
+def test_find_prints_the_actions_of_a_type() -> None:
+    words = ("action", "find", "turtlesim/action/RotateAbsolute")
+    assert transcript.run_here(*words).text == "/turtle1/rotate_absolute"
+    assert transcript.run_here(*words, "-c").text == "1"
+    assert transcript.run_here("action", "find", "example_interfaces/action/Fibonacci").text == ""
+    near = transcript.run_here("action", "find", "turtlesim/action/Rotate").text
+    assert near.startswith("there is no action type 'turtlesim/action/Rotate'\ndid you mean")
+
+
+def test_echo_prints_what_each_interface_carries(start_program: Callable[..., Program]) -> None:
+    echo = start_program("tfloom", "action", "echo", "/turtle1/rotate_absolute")
+    lines = start_program("tfloom", "action", "echo", "--json", "--interfaces", "FEEDBACK_TOPIC", SEND[2])
+    echo.wait_for("no publisher yet of CANCEL_SERVICE, RESULT_SERVICE, STATUS_TOPIC (services are published")
+    assert transcript.run_here(*SEND, "{theta: 1.5}").exit_code == 0
+    echo.wait_for("remaining: -0.25")
+    echo.wait_for("event_type: RESPONSE_SENT")
+    blocks = [block.split("\n") for block in echo.output.split("---\n")]
+    goals = [block for block in blocks if "interface: GOAL_SERVICE" in block]
+    events = [line.split()[-1] for block in goals for line in block if "event_type: " in line]
+    assert events == ["REQUEST_RECEIVED", "RESPONSE_SENT"]
+    assert any(line.strip() == "theta: 1.5" for line in goals[0])
+    feedback = [block for block in blocks if "interface: FEEDBACK_TOPIC" in block]
+    remaining = [line.strip() for block in feedback for line in block if "remaining" in line]
+    assert remaining == ["remaining: -0.5", "remaining: -0.25"]
+    lines.wait_for("-0.25")
+    first, second = (json.loads(line) for line in lines.lines if line.startswith("{"))
+    assert (first["interface"], first["message"]["feedback"]) == ("FEEDBACK_TOPIC", {"remaining": -0.5})
+    assert second["message"]["feedback"] == {"remaining": -0.25}
+
+
+def test_echo_refuses_what_is_not_there() -> None:
+    unknown = transcript.run_here("action", "echo", "/turtle1/rotate")
+    assert unknown.exit_code == 1
+    assert unknown.text.startswith(
+        "Could not determine the type of action '/turtle1/rotate': it isn't on the graph"
+    )
+    wrong = transcript.run_here("action", "echo", "--interfaces", "GOAL|FEEDBACK_TOPIC", SEND[2])
+    assert wrong.exit_code == 2
+    assert "'GOAL' is not one of GOAL_SERVICE, CANCEL_SERVICE" in wrong.text
 
 
 LISTS = """\

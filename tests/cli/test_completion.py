@@ -196,6 +196,7 @@ FREE = {
     "path",
     "bag_path",
     "value",
+    "further",
     "argv",
     "parameter_file",
     "folder",

@@ -25,6 +25,7 @@ BAG = str(Path(__file__).parents[1] / "golden" / "bags" / "mcap")
 POSE = "/turtle1/pose"
 ROTATE = "/turtle1/rotate_absolute"
 ASKED = {
+    "action find": ("turtlesim/action/RotateAbsolute",),
     "action info": (ROTATE,),
     "action list": (),
     "action type": (ROTATE,),
@@ -56,6 +57,7 @@ ASKED = {
 }
 """What each verb is asked; its answer is never empty."""
 ELSEWHERE = {
+    "action echo": "tests/cli/test_action.py",
     "component list": "tests/cli/test_component.py",
     "service echo": "tests/cli/test_service.py",
     "tf diff": "tests/cli/test_tf_statics.py",

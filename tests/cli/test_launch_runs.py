@@ -117,3 +117,16 @@ def test_launch_without_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     launched = transcript.launch_here("-n", "need.launch.py", "need:=1")
     assert launched.exit_code == 0
     assert "[INFO] [launch.user]: 1" in launched.text.splitlines()
+
+
+def test_the_log_file_has_the_name_of_the_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
+    path = tmp_path / "a.launch.xml"
+    path.write_text('<launch><executable cmd="echo one" output="log"/></launch>')
+    assert transcript.launch_here("-f", "mine", str(path)).exit_code == 0
+    (log,) = (tmp_path / "log").glob("*-*/*.log")
+    assert log.name == "mine.log"
+    assert "one" in log.read_text("utf-8")
+    wrong = transcript.launch_here("--log-file-name", "../mine", str(path))
+    assert wrong.exit_code == 1
+    assert "--log-file-name: '../mine.log' is not the name of a log file" in wrong.text

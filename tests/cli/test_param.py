@@ -192,3 +192,59 @@ def test_values_of_every_type_survive_set_and_get(
     failed = [line for line in loaded.splitlines() if "failed" in line]
     assert [line.split()[2] for line in failed] == ["start_type_description_service"]  # It is read-only.
     assert transcript.run_here("param", "dump", "/ns/a_node").text == dumped
+
+
+def test_get_prints_several_parameters_and_those_of_all_nodes() -> None:
+    several = transcript.run_here("param", "get", "/turtlesim", "background_r", "background_b")
+    assert several.text == "background_r: Integer value is: 69\nbackground_b: Integer value is: 255"
+    bare = transcript.run_here("param", "get", "--hide-type", "/turtlesim", "background_r", "background_b")
+    assert bare.text == "background_r: 69\nbackground_b: 255"
+    everywhere = transcript.run_here("param", "get", "background_r")
+    assert everywhere.text == "/turtlesim:\n  Integer value is: 69"
+    assert json.loads(transcript.run_here("param", "get", "background_r", "--json").text) == {
+        "/turtlesim": 69
+    }
+    assert json.loads(
+        transcript.run_here("param", "get", "/turtlesim", "background_r", "background_g", "--json").text
+    ) == {"background_r": 69, "background_g": 86}
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (("get",), "name a parameter, or a node and its parameters"),
+        (("get", "/turtlesim"), "name the parameters of /turtlesim to print"),
+        (("get", "nobodys"), "Parameter not set\nno node has a parameter nobodys"),
+        (("get", "/turtlesim", "background_r", "nobodys"), "Parameter not set"),
+        (("set", "/turtlesim", "background_r", "1", "background_g"), "background_g has no value"),
+        (("set", "/turtlesim", "background_r", "1", "background_r", "2"), "a parameter is given twice"),
+    ],
+)
+def test_wrong_parameters_are_refused(words: tuple[str, ...], reason: str) -> None:
+    answer = transcript.run_here("param", *words)
+    assert answer.exit_code == 1
+    assert answer.text.startswith(reason)
+
+
+@pytest.mark.usefixtures("turtlesim_to_change")
+def test_several_parameters_are_set_each_by_itself_or_all_or_none() -> None:
+    words = ("param", "set", "/turtlesim", "background_r", "300", "background_g", "1")
+    each = transcript.run_here(*words)
+    assert each.exit_code == 1
+    assert min(each.text.splitlines()).startswith("background_g: Set parameter successful")
+    assert "background_r: Setting parameter failed: " in each.text
+
+    def values() -> str:
+        shown = ("param", "get", "--hide-type", "/turtlesim", "background_r", "background_g")
+        return transcript.run_here(*shown).text
+
+    assert values() == "background_r: 69\nbackground_g: 1"
+    none = transcript.run_here(*words[:-1], "2", "--atomic")
+    assert none.exit_code == 1
+    assert none.text.startswith("Setting parameters failed: ")
+    assert values() == "background_r: 69\nbackground_g: 1"
+    both = transcript.run_here(
+        "param", "set", "/turtlesim", "background_r", "3", "background_g", "2", "--atomic"
+    )
+    assert (both.exit_code, both.text) == (0, "Set parameters successful")
+    assert values() == "background_r: 3\nbackground_g: 2"

@@ -74,6 +74,7 @@ SILENT = {
     "bag play": "prints on stderr",
     "bag record": "prints on stderr",
     "bag reindex": "prints on stderr",
+    "action echo": "nobody calls turtlesim's action",
     **dict.fromkeys(["component load", "component unload"], "there is no container, as it prints on stderr"),
     "component list": "there is no container",
     **dict.fromkeys(["component standalone", "component types"], "prints on stderr"),
@@ -135,6 +136,10 @@ LONG = {
     "topic pub": (("/x", "std_msgs/msg/Empty"), "publishing #1"),
     "service call": (("/nobodys", "std_srvs/srv/Empty"), "waiting for service"),
     "service echo": (("/clear",), "no publisher of"),
+    "action echo": (
+        (ROTATE,),
+        "no publisher yet of GOAL_SERVICE, CANCEL_SERVICE, RESULT_SERVICE (services are",
+    ),
     "action send_goal": (("/nobodys", "turtlesim/action/RotateAbsolute"), "Waiting for an action server"),
     "run": (("turtlesim", "turtlesim_node", "--ros-args", "-r", "__node:=other"), "Spawning"),
 }

@@ -319,3 +319,15 @@ def test_mismatched_type_is_reported(pose: None) -> None:
     assert answer.text == (
         "WARNING: /turtle1/pose is published as turtlesim/msg/Pose, not as std_msgs/msg/Empty"
     )
+
+
+def test_echo_subscribes_as_a_named_node_and_clears_a_terminal_alone(
+    publish: Callable[..., Program], start_program: Callable[..., Program]
+) -> None:
+    publish("/pose", "turtlesim/msg/Pose", POSE)
+    echo = start_program("tfloom", "topic", "echo", "--clear", "--node-name", "my_echo", "/pose")
+    echo.wait_for("theta: ")
+    assert "\x1b" not in echo.output
+    assert "/my_echo" in transcript.run_here("node", "list").text.splitlines()
+    wrong = transcript.run_here("topic", "echo", "--node-name", "1", "/pose")
+    assert (wrong.exit_code, "node name" in wrong.text.lower()) == (1, True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 import transcript
@@ -197,3 +198,42 @@ def test_rate_output_matches_the_recording(domain_id: int, start_program: Callab
     program.wait_for("publishing #5")
     lines = recorded.text.rstrip("\n").splitlines()
     assert program.lines[: len(lines)] == lines
+
+
+def test_values_come_from_a_file(
+    domain_id: int, start_program: Callable[..., Program], tmp_path: Path
+) -> None:
+    echo = start_program("tfloom", "topic", "echo", "--csv", "/x", "std_msgs/msg/String")
+    file = tmp_path / "values.yaml"
+    file.write_text("data: one\n---\ndata: two\n---\n", "utf-8")
+    words = ("topic", "pub", "-r", "100", "-w", "1", "/x", "std_msgs/msg/String", "--yaml-file", str(file))
+    answer = transcript.run_here(*words)
+    assert answer.exit_code == 0
+    assert re.findall(r"data='(\w+)'", answer.text) == ["one", "two"]
+    echo.wait_for("two")
+    assert echo.lines[-2:] == ["one", "two"]
+    assert re.findall(r"data='(\w+)'", transcript.run_here(*words, "--once").text) == ["one"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words", "error"),
+    [
+        ("data: a\n---\ndat: 3\n", (), "values.yaml, document 2: "),
+        ("", (), "values.yaml holds no values"),
+        ("data: a", ("{data: b}",), "--yaml-file gives the values"),
+        ("data: a", ("--stdin",), "--yaml-file gives the values"),
+        (None, (), "values.yaml can't be read: "),
+    ],
+)
+def test_wrong_file_of_values_is_refused(
+    text: str | None, words: tuple[str, ...], error: str, domain_id: int, tmp_path: Path
+) -> None:
+    file = tmp_path / "values.yaml"
+    if text is not None:
+        file.write_text(text, "utf-8")
+    answer = transcript.run_here(
+        "topic", "pub", "/x", "std_msgs/msg/String", *words, "--yaml-file", str(file)
+    )
+    assert answer.exit_code == 1
+    assert error in answer.text
+    assert "publisher" not in answer.text

@@ -10,12 +10,15 @@ import pytest
 import transcript
 from tests.conftest import Program
 
+from tfloom.cli.shared.graph import joined_participant
 from tfloom.cli.topic import bw, rates
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.turtlesim.msg import Pose
+from tfloom.rmw.base import NodeName, Topic
+from tfloom.rmw.qos import QoS
 from tfloom.rosidl.message import Message
 
 QUICK = {"tfloom.cli.topic.rates.REPORT_S": 0.4, "tfloom.cli.shared.sim_time.PATIENCE_S": 0.4}
@@ -153,3 +156,59 @@ def test_verb_waits_for_missing_simulated_time(
     domain_id: int, start_program: Callable[..., object], listen: Callable[..., object]
 ) -> None:
     listen("hz", "-s").wait_for("waiting for the time on /clock")
+
+
+@pytest.mark.parametrize("words", [("/x", "/y", "/nobodys"), ("--all",)])
+def test_hz_of_several_topics_is_a_table(
+    words: tuple[str, ...], publish: Callable[..., None], start_program: Callable[..., Program]
+) -> None:
+    publish("/x", Header)
+    program = start_program("python", *transcript.python_words("topic", "hz", *words, constants=QUICK))
+    program.wait_for("/x ")
+    publish("/y", Header, 20.0)  # which begins later
+    program.wait_for("/y ")
+    program.wait_for("topic ")
+    output = program.output
+    assert ("WARNING: topic [/nobodys] does not appear to be published yet" in output) == (
+        "/nobodys" in words
+    )
+    *_, title, rule, x = [line for line in output[: output.rindex("/y ")].splitlines() if line]
+    assert title.split() == ["topic", "rate", "min_delta", "max_delta", "std_dev", "window"]
+    assert {*rule} == {"="}
+    assert x.split()[0] == "/x"
+    assert 10 < float(x.split()[1]) < 60
+
+
+def test_bw_of_several_topics_is_a_table(
+    publish: Callable[..., None], start_program: Callable[..., Program]
+) -> None:
+    publish("/x", Pose)
+    publish("/y", lambda: Header(frame_id="a" * 1000))
+    program = start_program("python", *transcript.python_words("topic", "bw", "/x", "/y", constants=QUICK))
+    row = program.wait_for("/y ").split()
+    assert row[2] == "KB/s"
+    assert row[4:] == ["1.02", "KB"] * 3
+    assert any(line.split()[:1] == ["/x"] for line in program.lines)
+
+
+def test_a_topic_whose_type_nobody_has_stops_no_other(
+    publish: Callable[..., None],
+    start_program: Callable[..., Program],
+    domain_id: int,
+) -> None:
+    publish("/x", Header)
+    with joined_participant() as participant:
+        unknown = Topic("/z", "nobodys_msgs/msg/Thing", "")
+        writer = participant.create_writer(NodeName("/", "other"), unknown, QoS())
+        program = start_program("python", *transcript.python_words("topic", "hz", "-a", constants=QUICK))
+        program.wait_for("/x ")
+        assert "/z: " in program.output
+        writer.close()
+
+
+@pytest.mark.parametrize("words", [(), ("--all", "/x")])
+def test_topics_are_named_or_all(words: tuple[str, ...], domain_id: int) -> None:
+    for verb in ("hz", "bw"):
+        answer = transcript.run_here("topic", verb, *words)
+        assert answer.exit_code == 1
+        assert answer.text.startswith("name the topics, or give --all")

@@ -14,6 +14,10 @@ from pathlib import Path
 
 import pytest
 
+from tfloom.launch.actions.execute_process import ExecuteProcess
+from tfloom.launch.actions.log import LogInfo
+from tfloom.launch.entities.launch_description import LaunchDescription
+from tfloom.launch.launch_service import LaunchService
 from tfloom.launch.logs import library_handlers
 from tfloom.launch.logs import logging as launch_logging
 from tfloom.launch.logs.log_handlers import BraceFormatter
@@ -324,3 +328,30 @@ def test_a_link_that_can_not_be_created_ends_nothing(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(Path, "replace", refuse)
     assert not launch_logging._renew_latest_log_dir(log_dir=folder)
     assert [path.name for path in Path(folder).parent.iterdir()] == [Path(folder).name]
+
+
+def test_log_file_has_the_name_that_the_launch_gives_it() -> None:
+    service = LaunchService(log_file_name="mine.log")
+    service.include_launch_description(
+        LaunchDescription(
+            [LogInfo(msg="first"), ExecuteProcess(cmd=[sys.executable, "-c", "print(1)"], output="log")]
+        )
+    )
+    assert service.run() == 0
+    folder = Path(launch_config.log_dir)
+    text = (folder / "mine.log").read_text("utf-8")
+    assert "[launch.user]: first" in text
+    assert [line.split()[-1] for line in text.splitlines() if "[python" in line and "] 1" in line] == ["1"]
+    assert not (folder / "launch.log").exists()
+    launch_logging.reset()
+    LaunchService()
+    get_logger("launch.user").info("second")
+    assert "second" in Path(launch_config.get_log_file_path()).read_text("utf-8")
+    assert Path(launch_config.get_log_file_path()).name == "launch.log"
+
+
+@pytest.mark.parametrize("name", ["", "a/b.log", "/tmp/a.log", "..", "a\0b"])
+def test_log_file_is_in_the_log_folder(name: str) -> None:
+    with pytest.raises(ValueError, match="is not the name of a log file: give one without folders"):
+        LaunchService(log_file_name=name)
+    assert launch_config.log_file_name == "launch.log"

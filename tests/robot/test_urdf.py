@@ -270,3 +270,33 @@ def test_a_long_chain_takes_time_in_proportion() -> None:
     count = 20_000
     resolved = resolve({str(i): Dependence(str(i + 1), 1.0, 1.0) for i in range(count)})
     assert resolved["0"] == Dependence(str(count), 1.0, float(count))
+
+
+QUATERNION = (
+    '<robot name="r" version="1.2"><link name="a"/><link name="b"/><joint name="j" type="fixed">'
+    '<parent link="a"/><child link="b"/><origin xyz="1 2 3" quat_xyzw="0 0 2 2"/></joint></robot>'
+)
+
+
+def test_rotation_of_an_origin_may_be_a_quaternion() -> None:
+    description = parse_urdf(QUATERNION)
+    origin = description.joints["j"].origin
+    assert origin.translation == pytest.approx([1, 2, 3])
+    assert origin.rpy_rad == pytest.approx([0, 0, math.pi / 2])
+    assert [str(remark) for remark in description.remarks] == [
+        "line 1: the version '1.2' of the description is read by ROS 2 Lyrical and later"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("given", "reason"),
+    [
+        ('quat_xyzw="0 0 0 1" rpy="0 0 0"', "has both rpy and quat_xyzw"),
+        ('quat_xyzw="0 0 1"', "has 3 numbers, not 4"),
+        ('quat_xyzw="0 0 0 0"', "has no direction"),
+        ('quat_xyzw="0 0 0 a"', "'a' is not a number"),
+    ],
+)
+def test_wrong_quaternion_is_refused(given: str, reason: str) -> None:
+    with pytest.raises(UrdfError, match=f"line 1: .*{reason}"):
+        parse_urdf(QUATERNION.replace('quat_xyzw="0 0 2 2"', given))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tfloom.robot.urdf_faults import UrdfError
-from tfloom.robot.visuals import BoxForm, CylinderForm, MeshForm, read_visuals
+from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, MeshForm, read_visuals
 
 
 def robot(link: str, before: str = "") -> str:
@@ -53,3 +53,18 @@ def test_material_of_one_link_is_used_by_another() -> None:
 def test_wrong_visual_is_refused_with_its_line(link: str, reason: str) -> None:
     with pytest.raises(UrdfError, match=reason):
         read_visuals(robot(link))
+
+
+def test_capsule_is_a_cylinder_with_two_balls() -> None:
+    text = (
+        '<robot name="r" version="1.2"><link name="arm"><visual><origin xyz="0 0 1" quat_xyzw="0 0.7071 0 0.7071"/>'
+        '<geometry><capsule radius="0.1" length="0.6"/></geometry></visual></link></robot>'
+    )
+    body, low, high = read_visuals(text)
+    assert body.form == CylinderForm(0.1, 0.6)
+    assert low.form == high.form == BallForm(0.1)
+    # A quarter turn about y leads z to x.
+    assert low.origin.translation == pytest.approx([-0.3, 0.0, 1.0])
+    assert high.origin.translation == pytest.approx([0.3, 0.0, 1.0])
+    with pytest.raises(UrdfError, match=r"line 1: .*has no length"):
+        read_visuals(text.replace('length="0.6"', ""))

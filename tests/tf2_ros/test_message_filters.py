@@ -16,9 +16,10 @@ from tests.conftest import wait_until
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.std_msgs.msg import Header, String
-from tfloom.node.clock.clock import ROSClock
+from tfloom.node.clock.clock import Clock, ROSClock
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
+from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import ClockType, Time
 from tfloom.tf2_ros.filters import message_filters
 from tfloom.tf2_ros.filters.message_filters import (
@@ -28,6 +29,7 @@ from tfloom.tf2_ros.filters.message_filters import (
     JumpBack,
     SimpleFilter,
     Subscriber,
+    TimeSequencer,
     TimeSynchronizer,
 )
 
@@ -453,3 +455,69 @@ def test_subscriber_passes_messages_on(node: Node, executor: SingleThreadedExecu
     node.create_publisher(PointStamped, "points", 10).publish(point(7))
     executor.spin_once(timeout_sec=30)
     assert got == [7]
+
+
+def sequenced(
+    sim: Sim, executor: SingleThreadedExecutor
+) -> tuple[TimeSequencer, list[float], Callable[[], None]]:
+    """Return a sequencer with a delay of 1 s, what it passes on, and a function that lets it look."""
+    passed_on: list[float] = []
+    sequencer = TimeSequencer(sim.subscribers[0], Duration(seconds=1), 0.001, 3, sim.node)
+    sequencer.registerCallback(lambda message: passed_on.append(seconds(message)))
+    looks: list[None] = []
+    sim.node.create_timer(0.001, lambda: looks.append(None), clock=Clock(clock_type=ClockType.STEADY_TIME))
+    executor.add_node(sim.node)
+
+    def look() -> None:
+        looks.clear()
+        wait_until(lambda: (executor.spin_once(timeout_sec=0.1), len(looks) > 2)[1])
+
+    return sequencer, passed_on, look
+
+
+def test_messages_are_sequenced_by_their_stamps(sim: Sim, executor: SingleThreadedExecutor) -> None:
+    sequencer, passed_on, look = sequenced(sim, executor)
+    sim.show(10)
+    for at in (9.5, 8.5, 9.0):
+        sim.subscribers[0].callback(point(at))
+    look()
+    assert passed_on == [8.5, 9.0]
+    sim.subscribers[0].callback(point(8.9))  # too late
+    sim.show(10.5)
+    look()
+    assert passed_on == [8.5, 9.0, 9.5]
+    for at in (11.0, 12.0, 13.0, 10.0):  # of four, the oldest is dropped
+        sequencer.add(point(at))
+    sim.show(20)
+    look()
+    assert passed_on[3:] == [11.0, 12.0, 13.0]
+
+
+def test_a_sequencer_begins_anew_after_a_jump_backward(sim: Sim, executor: SingleThreadedExecutor) -> None:
+    sequencer, passed_on, look = sequenced(sim, executor)
+    sim.show(100)
+    for at in (50, 99.9):
+        sequencer.add(point(at))
+    look()
+    assert passed_on == [50]
+    sim.show(3)
+    sequencer.add(point(1))
+    look()
+    sim.show(200)
+    look()
+    assert passed_on == [50, 1]
+    source = SimpleFilter()
+    sequencer.connectInput(source)
+    sim.subscribers[0].callback(point(150))
+    source.signalMessage(point(160))
+    look()
+    assert passed_on == [50, 1, 160]
+
+
+@pytest.mark.parametrize("wrong", [{"queue_size": 0}, {"delay": -1}, {"update_rate": 0}])
+def test_wrong_numbers_of_a_sequencer_are_refused(wrong: dict[str, float], node: Node) -> None:
+    values: dict[str, Any] = {"delay": 1.0, "update_rate": 0.1, "queue_size": 1} | wrong
+    with pytest.raises(ValueError, match="TimeSequencer needs a queue size of 1 or more"):
+        TimeSequencer(None, node=node, **values)
+    with pytest.raises(TypeError, match="TimeSequencer"):
+        TimeSequencer(None, 1.0, 0.1, 1, node=None)

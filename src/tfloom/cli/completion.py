@@ -183,7 +183,7 @@ def _programs(args: argparse.Namespace) -> list[str]:
 
 _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = {
     ("topic_name",): _topics,
-    ("topic", "topic"): _topics,
+    ("delay", "topic"): _topics,
     ("record", "topics_positional"): _topics,
     ("record", "topics"): _topics,
     ("message_type",): _types_of_topic,
@@ -191,6 +191,7 @@ _OFFERS: dict[tuple[str, ...], Callable[[argparse.Namespace], Iterable[str]]] = 
     ("service_type",): _type_of_service,
     ("action_name",): _actions,
     ("action_type",): _type_of_action,
+    ("find", "action_type"): lambda _: known_interfaces("action"),
     ("pub", "values"): _prototype,
     ("call", "values"): _prototype,
     ("send_goal", "goal"): _prototype,

@@ -33,6 +33,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="skip what needs packages, programs or launch files that aren't here, with a warning for each",
     )
+    parser.add_argument(
+        "-f",
+        "--log-file-name",
+        metavar="NAME",
+        default="launch",
+        help="name of the log file, without .log (default: launch)",
+    )
     shown = parser.add_mutually_exclusive_group()
     shown.add_argument(
         "-p",
@@ -95,17 +102,24 @@ def main(args: argparse.Namespace) -> int:
         with missing_packages_stood_in():
             _show(path, args.print)
         return 0
+    from tfloom.launch.logs.logging import launch_config
+
     if args.show_all_subprocesses_output:
         os.environ[ALL_OUTPUT_VARIABLE] = "both"
     for name in ("launch-prefix", "launch-prefix-filter"):
         if value := getattr(args, name.replace("-", "_")):
             arguments.append(f"{name}:={value}")
+    try:
+        launch_config.log_file_name = log_file_name = f"{args.log_file_name}.log"
+    except ValueError as error:
+        raise CommandError(f"--log-file-name: {error}") from None
     return launch_api.launch_a_launch_file(
         launch_file_path=path,
         launch_file_arguments=arguments,
         noninteractive=args.noninteractive,
         debug=args.debug,
         skip_missing=args.skip_missing,
+        log_file_name=log_file_name,
     )
 
 

@@ -151,6 +151,7 @@ def launch_a_launch_file(
     option_extensions: Any = None,  # noqa: ARG001
     debug: bool = False,
     skip_missing: bool = False,
+    log_file_name: str = "launch.log",
 ) -> int:
     """Launch a file and return the exit code when all has ended.
 
@@ -162,9 +163,11 @@ def launch_a_launch_file(
         option_extensions: Not used, as `args`.
         debug: Whether to log the events and the tracebacks of errors.
         skip_missing: Whether to skip what needs packages, programs and files that aren't here, in place of ending.
+        log_file_name: Name of the launch's own log file.
 
     Raises:
         RuntimeError: an argument isn't of this form.
+        ValueError: `log_file_name` is not the name of a file.
     """
     from tfloom.launch.actions.include_launch_description import IncludeLaunchDescription
     from tfloom.launch.entities.launch_description import LaunchDescription
@@ -174,7 +177,12 @@ def launch_a_launch_file(
     from tfloom.launch.launch_service import LaunchService
 
     arguments = parse_launch_arguments(launch_file_arguments)
-    service = LaunchService(argv=launch_file_arguments, noninteractive=noninteractive, debug=debug)
+    service = LaunchService(
+        argv=launch_file_arguments,
+        noninteractive=noninteractive,
+        debug=debug,
+        log_file_name=log_file_name,
+    )
     source = AnyLaunchDescriptionSource(launch_file_path)
     included = IncludeLaunchDescription(source, launch_arguments=arguments)
     service.include_launch_description(

@@ -22,13 +22,15 @@ COMMANDS: dict[str, str | Group] = {
     "action": Group(
         "Inspect actions, and send goals",
         {
+            "echo": "Print what the servers and clients of an action send one another",
+            "find": "List the actions of a type",
             "info": "Print the servers and clients of an action",
             "list": "List the actions",
             "send_goal": "Send a goal to an action server and print its result",
             "type": "Print an action's type",
         },
         file="action.queries",
-        own_files=("send_goal",),
+        own_files=("echo", "send_goal"),
     ),
     "bag": Group(
         "Various rosbag related sub-commands",
@@ -112,13 +114,13 @@ COMMANDS: dict[str, str | Group] = {
             "delete": "Delete a parameter",
             "describe": "Print the descriptions and constraints of parameters",
             "dump": "Print all parameters of a node as YAML",
-            "get": "Print a parameter's value",
+            "get": "Print the values of parameters",
             "list": "List the parameters of a node, or of all nodes",
             "load": "Set a node's parameters from a YAML file",
-            "set": "Set a parameter",
+            "set": "Set parameters",
         },
         file="param.queries",
-        own_files=("dump", "load"),
+        own_files=("dump", "get", "load", "set"),
     ),
     "pkg": Group(
         "Inspect packages",
@@ -163,7 +165,7 @@ COMMANDS: dict[str, str | Group] = {
     "topic": Group(
         "Inspect topics, subscribe and publish",
         {
-            "bw": "Print the bandwidth of a topic",
+            "bw": "Print the bandwidth of a topic, or of several",
             "delay": "Print the delay of a topic's messages",
             "echo": "Print the messages of a topic",
             "find": "List the topics of a type",

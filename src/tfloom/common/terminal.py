@@ -148,6 +148,12 @@ class TerminalOutput:
         return getattr(self.stream, name)
 
 
+def clear_terminal(stream: Any) -> None:
+    """Clear the screen if a stream is a terminal, and go to its first line."""
+    if is_terminal(stream):
+        unescaped(stream).write("\x1b[2J\x1b[H")
+
+
 def unescaped(stream: Any) -> Any:
     """Return the stream below a `TerminalOutput`, for text with colours of our own; else the stream itself."""
     return stream.stream if isinstance(stream, TerminalOutput) else stream

@@ -38,7 +38,7 @@ from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.events.event_handlers import OnIncludeLaunchDescription, OnShutdown
 from tfloom.launch.events.launch_events import IncludeLaunchDescription, Shutdown
 from tfloom.launch.logs.background_writing import background_writing
-from tfloom.launch.logs.logging import get_logger, launch_config, log_launch_config
+from tfloom.launch.logs.logging import LOG_FILE_NAME, get_logger, launch_config, log_launch_config
 from tfloom.launch.processes.guard import guard_of
 from tfloom.launch.utilities.signal_management import AsyncSafeSignalManager
 from tfloom.launch.utilities.visits import visit_all_entities
@@ -60,11 +60,21 @@ class LaunchService(HasPrivateNames):
         argv: The arguments of the command line, for `context.argv`.
         noninteractive: Whether the launch has no terminal.
         debug: Whether everything is logged, and asyncio checks the use of its loop.
+        log_file_name: Name of the launch's own log file in its log folder.
+
+    Raises:
+        ValueError: `log_file_name` is not the name of a file, because it is empty or has a folder.
     """
 
     def __init__(
-        self, *, argv: Iterable[str] | None = None, noninteractive: bool = False, debug: bool = False
+        self,
+        *,
+        argv: Iterable[str] | None = None,
+        noninteractive: bool = False,
+        debug: bool = False,
+        log_file_name: str = LOG_FILE_NAME,
     ) -> None:
+        launch_config.log_file_name = log_file_name
         if debug:
             launch_config.level = logging.DEBUG
         self._debug = debug

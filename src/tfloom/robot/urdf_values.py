@@ -13,11 +13,19 @@ __all__ = ["number", "origin_of", "required", "vector"]
 
 
 def origin_of(element: Element, what: str) -> Transform:
-    """Return parent_from_child of an element with an <origin>; without one, they are the same frame."""
+    """Return parent_from_child of an element with an <origin>; without one, they are the same frame.
+
+    Raises:
+        UrdfError: its numbers are not valid, or it has a rotation as `rpy` and as `quat_xyzw`.
+    """
     origin = element.first("origin")
     if origin is None:
         return Transform()
     xyz = vector(origin, "xyz", "0 0 0", what)
+    if "quat_xyzw" in origin.attributes:
+        if "rpy" in origin.attributes:
+            raise UrdfError(origin.line, f"<origin> of {what} has both rpy and quat_xyzw: give one of them")
+        return Transform(xyz, _quaternion(origin, what))
     roll, pitch, yaw = vector(origin, "rpy", "0 0 0", what)
     return Transform.from_rpy(roll, pitch, yaw, xyz)
 
@@ -65,6 +73,18 @@ def vector(element: Element, attribute: str, default: str, what: str) -> tuple[f
         raise UrdfError(element.line, reason)
     x, y, z = _finite(words, element, attribute, what)
     return x, y, z
+
+
+def _quaternion(origin: Element, what: str) -> list[float]:
+    """Return the unit quaternion (x, y, z, w) of an attribute `quat_xyzw`, which needs not be normalized."""
+    words = origin.attributes["quat_xyzw"].split()
+    if len(words) != 4:
+        raise UrdfError(origin.line, f"quat_xyzw of <origin> of {what} has {len(words)} numbers, not 4")
+    numbers = _finite(words, origin, "quat_xyzw", what)
+    length = math.hypot(*numbers)
+    if not 0.0 < length < math.inf:
+        raise UrdfError(origin.line, f"quat_xyzw of <origin> of {what} has no direction: {' '.join(words)}")
+    return [value / length for value in numbers]
 
 
 def _finite(words: Iterable[str], element: Element, attribute: str, what: str) -> list[float]:

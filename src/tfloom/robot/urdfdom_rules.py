@@ -18,7 +18,7 @@ _NUMBERS = {
     "calibration": ("rising", "falling"),
     "mimic": ("multiplier", "offset"),
 }
-_VECTORS = {"origin": ("xyz", "rpy"), "axis": ("xyz",)}
+_VECTORS = {"origin": ("xyz", "rpy", "quat_xyzw"), "axis": ("xyz",)}
 
 
 def note_refusals(robot: Element, remarks: Remarks) -> None:
@@ -40,6 +40,11 @@ def note_refusals(robot: Element, remarks: Remarks) -> None:
 def _note_version(robot: Element, remarks: Remarks) -> None:
     version = robot.attributes.get("version")
     if version is None or re.fullmatch(r"\s*0*1\.\s*0+", version):
+        return
+    if version == "1.2":
+        remarks.add(
+            robot.line, f"the version '{version}' of the description is read by ROS 2 Lyrical and later"
+        )
         return
     fault = f"the version '{version}' of the description is not 1.0"
     remarks.add(robot.line, fault, is_refused=True)

@@ -100,7 +100,7 @@ def read_visuals(text: str | bytes) -> list[Visual]:
     for link in robot.all_of("link"):
         name = required(link, "name", "a link")
         for visual in link.all_of("visual"):
-            visuals.append(_visual(visual, name, materials))
+            visuals += _visuals(visual, name, materials)
             material = visual.first("material")
             # A material that one link defines may be used by those after it, by its name.
             if material is not None and (rgba := _rgba(material)) is not None:
@@ -122,31 +122,37 @@ def read_collisions(text: str | bytes) -> list[Visual]:
         for collision in link.all_of("collision"):
             what = f"a collision of the link '{name}'"
             with suppress(UrdfError):
-                collisions.append(Visual(name, origin_of(collision, what), _form_of(collision, what)))
+                collisions += [Visual(name, *placed) for placed in _placed_forms(collision, what)]
     return collisions
 
 
-def _form_of(element: Element, what: str) -> Form:
+def _placed_forms(element: Element, what: str) -> list[tuple[Transform, Form]]:
+    """Return the forms of a visual or a collision, each with link_from_form: one, and three of a capsule."""
     geometry = element.first("geometry")
-    form = next((_form(child, what) for child in geometry.children), None) if geometry else None
-    if form is None:
+    child = next(iter(geometry.children), None) if geometry else None
+    if child is None:
         raise UrdfError(element.line, f"{what} has no geometry")
-    return form
+    origin = origin_of(element, what)
+    if child.tag != "capsule":
+        return [(origin, _form(child, what))]
+    # Its length is that of the cylinder, without the two ends.
+    body = _cylinder(child, what)
+    ends = [origin @ Transform((0.0, 0.0, side * body.length / 2)) for side in (-1.0, 1.0)]
+    return [(origin, body), *((end, BallForm(body.radius)) for end in ends)]
 
 
-def _visual(element: Element, link: str, materials: dict[str, tuple[float, ...]]) -> Visual:
+def _visuals(element: Element, link: str, materials: dict[str, tuple[float, ...]]) -> list[Visual]:
     what = f"a visual of the link '{link}'"
-    form = _form_of(element, what)
+    forms = _placed_forms(element, what)
     material = element.first("material")
     rgba = None
     if material is not None:
         rgba = _rgba(material) or materials.get(material.attributes.get("name", ""))
-    origin = origin_of(element, what)
     if rgba is None:
-        return Visual(link, origin, form)
+        return [Visual(link, origin, form) for origin, form in forms]
     red, green, blue, opacity = (min(max(part, 0.0), 1.0) for part in rgba)
     color = round(255 * red), round(255 * green), round(255 * blue)
-    return Visual(link, origin, form, color, opacity, has_color=True)
+    return [Visual(link, origin, form, color, opacity, has_color=True) for origin, form in forms]
 
 
 def _rgba(material: Element) -> tuple[float, ...] | None:
@@ -164,9 +170,7 @@ def _form(element: Element, what: str) -> Form:
     if element.tag == "box":
         return BoxForm(_sizes(element, vector(element, "size", "", what), what))
     if element.tag == "cylinder":
-        radius, length = number(element, "radius", None, what), number(element, "length", None, what)
-        _sizes(element, (radius, length, 0.0), what)
-        return CylinderForm(radius, length)
+        return _cylinder(element, what)
     if element.tag == "sphere":
         radius = number(element, "radius", None, what)
         _sizes(element, (radius, 0.0, 0.0), what)
@@ -174,6 +178,12 @@ def _form(element: Element, what: str) -> Form:
     if element.tag == "mesh":
         return MeshForm(required(element, "filename", what), vector(element, "scale", "1 1 1", what))
     raise UrdfError(element.line, f"{what} has the geometry <{element.tag}>, which is not known")
+
+
+def _cylinder(element: Element, what: str) -> CylinderForm:
+    radius, length = number(element, "radius", None, what), number(element, "length", None, what)
+    _sizes(element, (radius, length, 0.0), what)
+    return CylinderForm(radius, length)
 
 
 def _sizes(element: Element, sizes: tuple[float, float, float], what: str) -> tuple[float, float, float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tfloom.launch.actions.declare_launch_argument import DeclareLaunchArgument
+from tfloom.launch.actions.declare_launch_argument import DeclareBooleanLaunchArgument, DeclareLaunchArgument
 from tfloom.launch.core.base_classes import TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.substitutions.variables import LaunchConfiguration
@@ -62,3 +62,24 @@ def test_choices_are_checked_when_they_are_declared() -> None:
     later = DeclareLaunchArgument("mode", choices=["a"], default_value=TextSubstitution(text="c"))
     with pytest.raises(RuntimeError, match='"c" is not valid'):
         later.visit(LaunchContext())
+
+
+def test_boolean_argument_takes_booleans_alone(context: LaunchContext) -> None:
+    argument = DeclareBooleanLaunchArgument("gui", default_value=True, description="Show a window.")
+    assert argument.choices == ["true", "false", "True", "False", "TRUE", "FALSE"]
+    assert argument.description.startswith("Show a window. Valid choices are: ['true', ")
+    argument.visit(context)
+    assert context.launch_configurations["gui"] == "true"
+    DeclareBooleanLaunchArgument("other", default_value=[LaunchConfiguration("gui")]).visit(context)
+    assert context.launch_configurations["other"] == "true"
+    context.launch_configurations["gui"] = "yes"
+    with pytest.raises(RuntimeError, match='Argument "gui" provided value "yes" is not valid'):
+        argument.visit(context)
+
+
+@pytest.mark.parametrize("choices", [["true"], None])
+def test_boolean_argument_has_its_own_choices(choices: list[str] | None) -> None:
+    with pytest.raises(ValueError, match=r"^Cannot specify choices for bool_arg$"):
+        DeclareBooleanLaunchArgument("gui", choices=choices)
+    with pytest.raises(RuntimeError, match='"1" is not in provided choices'):
+        DeclareBooleanLaunchArgument("gui", default_value="1")

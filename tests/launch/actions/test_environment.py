@@ -10,13 +10,14 @@ from tfloom.launch.actions.environment import (
     AppendEnvironmentVariable,
     PopEnvironment,
     PushEnvironment,
+    ReplaceEnvironmentVariables,
     ResetEnvironment,
     SetEnvironmentVariable,
     UnsetEnvironmentVariable,
 )
-from tfloom.launch.core.base_classes import TextSubstitution
+from tfloom.launch.core.base_classes import SubstitutionFailure, TextSubstitution
 from tfloom.launch.core.launch_context import LaunchContext
-from tfloom.launch.substitutions.variables import LaunchConfiguration
+from tfloom.launch.substitutions.variables import EnvironmentVariable, LaunchConfiguration
 
 NAME = "TFLOOM_LAUNCH_TEST"
 
@@ -59,3 +60,27 @@ def test_scopes_and_reset() -> None:
     PopEnvironment().visit(context)
     assert os.environ[NAME] == "start"
     assert "TFLOOM_LAUNCH_OTHER" not in os.environ
+
+
+def test_all_variables_are_replaced_within_a_scope() -> None:
+    os.environ[NAME] = "start"
+    context = LaunchContext()
+    context.launch_configurations["value"] = "one"
+    PushEnvironment().visit(context)
+    action = ReplaceEnvironmentVariables(
+        {("TFLOOM_", "LAUNCH_OTHER"): LaunchConfiguration("value"), "HERE": EnvironmentVariable(NAME)}
+    )
+    action.visit(context)
+    assert dict(os.environ) == {"TFLOOM_LAUNCH_OTHER": "one", "HERE": "start"}
+    ReplaceEnvironmentVariables().visit(context)
+    assert not os.environ
+    PopEnvironment().visit(context)
+    assert os.environ[NAME] == "start"
+    assert "PATH" in os.environ
+
+
+def test_variables_stay_where_a_value_of_their_replacement_is_missing(context: LaunchContext) -> None:
+    before = dict(os.environ)
+    with pytest.raises(SubstitutionFailure, match="nowhere"):
+        ReplaceEnvironmentVariables({"A": LaunchConfiguration("nowhere")}).visit(context)
+    assert dict(os.environ) == before

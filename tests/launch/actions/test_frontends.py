@@ -14,6 +14,7 @@ from tfloom.launch.core.base_classes import SubstitutionFailure
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.launch_description import LaunchDescription
 from tfloom.launch.files.sources import get_launch_description_from_any_launch_file
+from tfloom.launch.frontend.parser import InvalidFrontendLaunchFileError
 from tfloom.launch.utilities.visits import visit_all_entities_and_collect_futures
 
 NAME = "TFLOOM_LAUNCH_TEST"
@@ -116,6 +117,36 @@ def test_environment(text: str, visit: Visit, capsys: pytest.CaptureFixture[str]
     visit(text)
     logged = ["2 start" + os.pathsep + "1", "start", "3", "none", "start"]
     assert capsys.readouterr().out.splitlines() == [f"[INFO] [launch.user]: {value}" for value in logged]
+
+
+@in_both(
+    '<bool_arg name="gui" default="true" description="d"/>',
+    "- bool_arg: {name: gui, default: 'true', description: d}",
+)
+def test_boolean_argument(text: str, visit: Visit) -> None:
+    assert visit(text) == {"gui": "true"}
+    with pytest.raises(RuntimeError, match=r"provided value|provided default_value"):
+        visit(text.replace("true", "maybe"))
+    with pytest.raises(InvalidFrontendLaunchFileError, match="Cannot specify choices for bool_arg"):
+        visit(
+            text.replace('"d"/>', '"d"><choice value="true"/></bool_arg>').replace(
+                ": d}", ": d, choice: [{value: 'true'}]}"
+            )
+        )
+
+
+@in_both(
+    f'<group><rep_env><env name="A" value="$(env {NAME})"/><env name="B" value="2"/></rep_env>'
+    f'<log message="$(env A)$(env B)$(env {NAME} none)"/></group><log message="$(env {NAME})$(env A none)"/>',
+    f"- group:\n  - rep_env: {{env: [{{name: A, value: $(env {NAME})}}, {{name: B, value: '2'}}]}}\n"
+    f"  - log: {{message: $(env A)$(env B)$(env {NAME} none)}}\n- log: {{message: $(env {NAME})$(env A none)}}",
+)
+def test_replaced_environment(text: str, visit: Visit, capsys: pytest.CaptureFixture[str]) -> None:
+    visit(text)
+    assert capsys.readouterr().out.splitlines() == [
+        "[INFO] [launch.user]: start2none",
+        "[INFO] [launch.user]: startnone",
+    ]
 
 
 @in_both(

@@ -6,9 +6,26 @@ import argparse
 
 from tfloom.cli.shared.action_ends import ends_of_action, settled_ends
 from tfloom.cli.shared.errors import CommandError
-from tfloom.cli.shared.graph import types_by_name
+from tfloom.cli.shared.graph import names_of_type, types_by_name
 from tfloom.cli.shared.listing import print_json, print_names, print_types
 from tfloom.common.terminal import report
+
+
+def add_find_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `action find`."""
+    parser.add_argument(
+        "action_type", help="type of the actions, for example turtlesim/action/RotateAbsolute"
+    )
+    parser.add_argument("-c", "--count-actions", action="store_true", help="print only the number")
+    parser.add_argument("--json", action="store_true", help="print a JSON list for programs")
+
+
+def find_main(args: argparse.Namespace) -> int:
+    """Print the actions in order of their names."""
+    types = types_by_name((end.name, end.type_name) for end in settled_ends())
+    names = names_of_type(types, args.action_type, "action", hidden=True)
+    print_names(names, as_json=args.json, only_count=args.count_actions)
+    return 0
 
 
 def add_info_arguments(parser: argparse.ArgumentParser) -> None:

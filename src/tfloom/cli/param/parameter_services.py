@@ -44,16 +44,15 @@ def add_arguments(parser: argparse.ArgumentParser, *, timeout: bool = True) -> N
         action="store_true",
         help="include nodes whose name begins with an underscore",
     )
-    if timeout:
-        parser.add_argument(
-            "--timeout",
-            metavar="N",
-            type=seconds,
-            default=TIMEOUT_S,
-            help=f"longest wait for the node in seconds (default: {TIMEOUT_S:g})",
-        )
-    else:
-        parser.set_defaults(timeout=TIMEOUT_S)
+    parser.add_argument(
+        *(["--timeout"] if timeout else []),
+        "--service-timeout",
+        dest="timeout",
+        metavar="N",
+        type=seconds,
+        default=TIMEOUT_S,
+        help=f"longest wait for a node in seconds (default: {TIMEOUT_S:g})",
+    )
 
 
 class ParameterServices(NodeServices):
@@ -99,6 +98,12 @@ class ParameterServices(NodeServices):
         give_declared_types(parameters, lambda name: self._described([name]))
         request = srv.SetParameters.Request(parameters=list(parameters))
         return self._one_each(parameters, self.call("set_parameters", srv.SetParameters, request).results)
+
+    def set_atomically(self, parameters: Sequence[Parameter]) -> Any:
+        """Set all of these parameters or none, and return the one result."""
+        give_declared_types(parameters, lambda name: self._described([name]))
+        request = srv.SetParametersAtomically.Request(parameters=list(parameters))
+        return self.call("set_parameters_atomically", srv.SetParametersAtomically, request).result
 
     def _one_each(self, asked: Sequence[Any], answers: Sequence[Any]) -> list[Any]:
         if len(answers) != len(asked):

@@ -18,7 +18,7 @@ from tfloom.cli.param.parameter_services import (
 from tfloom.cli.param.parameter_services import add_arguments as add_common_arguments
 from tfloom.cli.shared.calls import call_each
 from tfloom.cli.shared.errors import CommandError
-from tfloom.cli.shared.listing import json_text, print_json
+from tfloom.cli.shared.listing import print_json
 from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterDescriptor
 
@@ -89,45 +89,6 @@ def _constraints(descriptor: ParameterDescriptor) -> Iterator[tuple[str, Any]]:
         yield "Additional constraints", descriptor.additional_constraints
 
 
-LABELS = (
-    "",
-    "Boolean value is:",
-    "Integer value is:",
-    "Double value is:",
-    "String value is:",
-    "Byte values are:",
-    "Boolean values are:",
-    "Integer values are:",
-    "Double values are:",
-    "String values are:",
-)
-
-
-def add_get_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments of `param get`."""
-    add_common_arguments(parser)
-    parser.add_argument("node_name", help="full name of the node")
-    parser.add_argument("parameter_name", help="name of the parameter")
-    parser.add_argument("--hide-type", action="store_true", help="print the value alone")
-    parser.add_argument("--json", action="store_true", help="print the value as JSON for programs")
-
-
-def get_main(args: argparse.Namespace) -> int:
-    """Print the value after its type's label."""
-    from tfloom.node.parameters.parameter import parameter_value_to_python
-
-    with requested_node(args) as services:
-        message = services.value(args.parameter_name)
-        if not 0 < message.type < len(LABELS):
-            raise unknown_parameter(services, args.parameter_name)
-    value = parameter_value_to_python(message)
-    if args.json:
-        print(json_text(value))
-    else:
-        print(value if args.hide_type else f"{LABELS[message.type]} {value}")
-    return 0
-
-
 def add_list_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `param list`."""
     add_common_arguments(parser, timeout=False)
@@ -176,30 +137,3 @@ def _names(
     if not args.param_type:
         return dict.fromkeys(names)
     return {name: TYPES[kind] for name, kind in zip(names, services.types(names), strict=True)}
-
-
-def add_set_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the arguments of `param set`."""
-    add_common_arguments(parser)
-    parser.add_argument("node_name", help="full name of the node")
-    parser.add_argument("parameter_name", help="name of the parameter")
-    parser.add_argument("value", help="its value in YAML, for example 150, true, abc or '[1, 2]'")
-
-
-def set_main(args: argparse.Namespace) -> int:
-    """Set the parameter and print the outcome."""
-    from tfloom.node.parameters.parameter import get_parameter_value
-
-    try:
-        value = get_parameter_value(args.value)
-    except ValueError as error:
-        raise CommandError(f"The value of {args.parameter_name} can't be used: {error}") from None
-    parameter = Parameter(name=args.parameter_name, value=value)
-    with requested_node(args) as services:
-        result = services.set([parameter])[0]
-    reason = f": {result.reason}" if result.reason else ""
-    if result.successful:
-        print(f"Set parameter successful{reason}")
-    else:
-        report(f"Setting parameter failed{reason}")
-    return 0 if result.successful else 1

@@ -44,12 +44,12 @@ def main(args: argparse.Namespace) -> int:
         publishers = wait_for_publishers(participant.graph, events, float("inf"))
         for sample in samples(participant, events, cls, suiting_qos(publishers)):
             if (event := decoded(cls, sample)) is not None:
-                print(_with_names(text(event)))
+                print(with_event_names(text(event)))
     return 0
 
 
-def _with_names(text: str) -> str:
-    """Replace the kind of event, a number in the first field of the text, with its name."""
+def with_event_names(text: str) -> str:
+    """Return the text of a service's event with the kind, a number in its first field, replaced by the name."""
     from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 
     names = {getattr(ServiceEventInfo, name): name for name in KINDS}

@@ -27,6 +27,9 @@ from tfloom.rosidl.message import Message
 PATIENCE_S = 1.0
 """Wait before the user gets a message about it [s]."""
 
+MAX_TAKEN = 1000
+"""Samples of a topic that are taken before the next topic's turn."""
+
 HINT_S = 2.0
 """Wait of a publisher for subscriptions before the user gets a possible reason [s]."""
 
@@ -119,12 +122,16 @@ def samples(
     qos: QoS,
     end_s: float = math.inf,
     on_lost: Callable[[Count], None] | None = None,
+    node: NodeName | None = None,
 ) -> Iterator[Sample]:
     """Yield the samples of a topic as they arrive, until `end_s` on the monotonic clock.
 
-    `on_lost` is called with the count of lost samples, if the wire counts them.
+    `on_lost` is called with the count of lost samples, if the wire counts them. `node` is the node that subscribes;
+    None: a hidden one.
     """
-    for sample in samples_and_ticks(participant, name, message_class, qos, end_s=end_s, on_lost=on_lost):
+    for sample in samples_and_ticks(
+        participant, name, message_class, qos, end_s=end_s, on_lost=on_lost, node=node
+    ):
         if sample is not None:
             yield sample
 
@@ -138,11 +145,12 @@ def samples_and_ticks(
     tick_s: float = math.inf,
     end_s: float = math.inf,
     on_lost: Callable[[Count], None] | None = None,
+    node: NodeName | None = None,
 ) -> Iterator[Sample | None]:
-    """Yield the samples of a topic as they arrive, and None every `tick_s`; `end_s` and `on_lost` as for `samples`."""
+    """Yield the samples of a topic as they arrive, and None every `tick_s`; the other arguments as for `samples`."""
     topic = topic_of(message_class, name)
-    with shown_node(participant, cli_node()) as node:
-        reader = create_reader(participant, node, topic, qos, report)
+    with shown_node(participant, node or cli_node()) as shown:
+        reader = create_reader(participant, shown, topic, qos, report)
         try:
             queue = ReadyQueue()
             reader.notify(queue)
@@ -171,6 +179,52 @@ def samples_and_ticks(
                     yield None
         finally:
             reader.close()
+
+
+class TopicReaders:
+    """The readers of several topics, for a node of a command.
+
+    Args:
+        participant: Where they are created.
+        node: The node that they belong to.
+    """
+
+    def __init__(self, participant: Participant, node: NodeName) -> None:
+        self.queue = ReadyQueue()
+        """Gets a token when one has a sample, or an incompatible publisher."""
+        self.participant = participant
+        self._node = node
+        self._open: dict[str, tuple[Reader, type[Message]]] = {}
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._open
+
+    def open(self, name: str, message_class: type[Message], qos: QoS) -> None:
+        """Begin to read a topic."""
+        topic = topic_of(message_class, name)
+        reader = create_reader(self.participant, self._node, topic, qos, report)
+        self._open[name] = reader, message_class
+        reader.notify(self.queue)
+        reader.notify_event(Event.INCOMPATIBLE_QOS, self.queue)
+
+    def take(self) -> Iterator[tuple[str, type[Message], Sample]]:
+        """Yield what each topic has, up to `MAX_TAKEN`: the topic, its type and a sample."""
+        for name, (reader, message_class) in self._open.items():
+            for _ in range(MAX_TAKEN):
+                if (sample := reader.take()) is None:
+                    break
+                yield name, message_class, sample
+
+    def warn_of_mismatches(self) -> None:
+        """Print a warning on stderr for each new publisher that is incompatible."""
+        for name, (reader, _) in self._open.items():
+            warn_of_mismatch(reader, self.participant.graph, name, is_publisher=False)
+
+    def close(self) -> None:
+        """Close the readers."""
+        for reader, _ in self._open.values():
+            reader.close()
+        self._open.clear()
 
 
 def _if_counted(

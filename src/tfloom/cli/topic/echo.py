@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import sys
 import time
 from collections.abc import Callable
 from typing import Any
@@ -11,6 +12,7 @@ from tfloom.cli.shared import graph, message_text, qos
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.interfaces import message_class
 from tfloom.cli.shared.listen import (
+    cli_node,
     decoded,
     find_type,
     mismatch_reason,
@@ -18,10 +20,10 @@ from tfloom.cli.shared.listen import (
     samples,
     wait_for_publishers,
 )
-from tfloom.cli.shared.names import full_topic_name
+from tfloom.cli.shared.names import full_topic_name, named_node
 from tfloom.cli.shared.numbers import seconds
 from tfloom.cli.shared.selection import field_picker, message_filter
-from tfloom.common.terminal import report
+from tfloom.common.terminal import clear_terminal, report
 from tfloom.rmw.base import Participant, Sample
 from tfloom.rmw.events import Count
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
@@ -45,6 +47,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="print this field alone, as in header.stamp or transforms[0].header; may be given several times",
     )
     message_text.add_arguments(parser)
+    parser.add_argument("-c", "--clear", action="store_true", help="clear the screen before each message")
+    parser.add_argument("-n", "--node-name", help="name of the node that subscribes")
     parser.add_argument("--no-lost-messages", action="store_true", help="don't report lost messages")
     parser.add_argument("--raw", action="store_true", help="print the serialized bytes")
     parser.add_argument(
@@ -69,6 +73,7 @@ def main(args: argparse.Namespace) -> int:
     name = full_topic_name(args.topic_name)
     end_s = float("inf") if args.timeout is None else time.monotonic() + args.timeout
     show = _printer(args)
+    node = cli_node() if args.node_name is None else named_node(args.node_name)
     on_lost = None if args.no_lost_messages else _report_losses
     with graph.joined_participant() as participant:
         requested_class = message_class(args.message_type, participant) if args.message_type else None
@@ -80,7 +85,7 @@ def main(args: argparse.Namespace) -> int:
             reason := mismatch_reason(participant.graph, topic, is_publisher=False)
         ):
             report(f"WARNING: {reason}")
-        for sample in samples(participant, name, listen_to, quality, end_s, on_lost):
+        for sample in samples(participant, name, listen_to, quality, end_s, on_lost, node):
             if show(sample, listen_to) and args.once:
                 return 0
     if args.once:
@@ -117,6 +122,8 @@ def _printer(args: argparse.Namespace) -> Callable[[Sample, type[Message]], bool
         if args.raw:
             value = sample.data.hex() if args.json else sample.data
         info = _info(sample) if args.include_message_info else {}
+        if args.clear:
+            clear_terminal(sys.stdout)
         if not info:
             print(text(value))
         elif args.json:

@@ -7,6 +7,7 @@ import math
 import time
 from collections.abc import Callable, Iterator
 from itertools import repeat
+from pathlib import Path
 
 from tfloom.cli.shared import graph, qos
 from tfloom.cli.shared.errors import CommandError, standard_input
@@ -32,6 +33,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--stdin", action="store_true", help="read the values, YAML documents, from standard input"
+    )
+    parser.add_argument(
+        "--yaml-file",
+        metavar="FILE",
+        help="publish the values in a file, YAML documents as `topic echo` prints them",
     )
     parser.add_argument(
         "-r", "--rate", metavar="N", type=rate, default=1.0, help="rate of publishing in Hz (default: 1)"
@@ -73,11 +79,7 @@ def main(args: argparse.Namespace) -> int:
     cls = message_class(args.message_type, search_graph=True)
     quality = qos.requested_qos(args, QoS()) or QoS()
     # Errors in values are reported before anything is on the wire.
-    drafts = (
-        (_Draft(cls, text) for text in yaml_documents(standard_input()))
-        if args.stdin
-        else repeat(_Draft(cls, args.values))
-    )
+    drafts = _drafts(cls, args)
     node = cli_node() if args.node_name is None else named_node(args.node_name)
     with graph.joined_participant() as participant, shown_node(participant, node):
         topic = topic_of(cls, name)
@@ -100,6 +102,33 @@ def main(args: argparse.Namespace) -> int:
         finally:
             writer.close()
     return 0
+
+
+def _drafts(cls: type[Message], args: argparse.Namespace) -> Iterator[_Draft]:
+    """Return the messages to publish: those of standard input or of a file, each once, or one again and again.
+
+    Raises:
+        CommandError: values come from two places, or the file can't be read, or holds no values or wrong ones.
+    """
+    if args.yaml_file is None:
+        if args.stdin:
+            return (_Draft(cls, text) for text in yaml_documents(standard_input()))
+        return repeat(_Draft(cls, args.values))
+    if args.stdin or args.values != "{}":
+        raise CommandError("--yaml-file gives the values: give none on the command line, and no --stdin")
+    drafts = []
+    try:
+        with Path(args.yaml_file).open(encoding="utf-8") as file:
+            for number, text in enumerate(yaml_documents(file), 1):
+                try:
+                    drafts.append(_Draft(cls, text))
+                except CommandError as error:
+                    raise CommandError(f"{args.yaml_file}, document {number}: {error}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise CommandError(f"{args.yaml_file} can't be read: {error}") from None
+    if not drafts:
+        raise CommandError(f"{args.yaml_file} holds no values")
+    return iter(drafts)
 
 
 class _Draft:

@@ -1,20 +1,34 @@
-"""The common part of hz, bw and delay: a report each second over a window of a topic's newest messages."""
+"""The common part of hz, bw and delay: a report each second over a window of the newest messages."""
 
 from __future__ import annotations
 
 import argparse
 import math
+import sys
+import time
 from collections import deque
 from collections.abc import Callable, Sequence
+from contextlib import closing
 
 from tfloom.cli.shared import graph
+from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.interfaces import message_class
-from tfloom.cli.shared.listen import cli_node, find_type, samples_and_ticks, wait_for_publishers
+from tfloom.cli.shared.listen import (
+    TopicReaders,
+    cli_node,
+    find_type,
+    publishers_of,
+    samples_and_ticks,
+    shown_node,
+    wait_for_publishers,
+)
 from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.numbers import positive_count, seconds
 from tfloom.cli.shared.qos import suiting_qos
 from tfloom.cli.shared.sim_time import clock, wait_until_known
-from tfloom.rmw.base import Sample
+from tfloom.common.terminal import clear_terminal, report
+from tfloom.rmw.base import Graph, Sample
+from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rosidl.message import Message
 
 REPORT_S = 1.0
@@ -35,6 +49,25 @@ def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="measure arrival by the time on /clock"
     )
+
+
+def add_topics(parser: argparse.ArgumentParser, metavar: str) -> None:
+    """Add the topics of hz and bw."""
+    parser.add_argument("topic_name", metavar=metavar, nargs="*", help="name of the topic, or of several")
+    parser.add_argument(
+        "-a", "--all", action="store_true", help="measure all topics, also those that appear later"
+    )
+
+
+def topics_of(args: argparse.Namespace) -> list[str]:
+    """Return the full names of the topics in the arguments; none for all topics.
+
+    Raises:
+        CommandError: there are none and no --all, or both, or a name is not valid.
+    """
+    if args.all == bool(args.topic_name):
+        raise CommandError("name the topics, or give --all" + (" without names" if args.all else ""))
+    return list(dict.fromkeys(map(full_topic_name, args.topic_name)))
 
 
 class Window:
@@ -96,3 +129,83 @@ def watch(
                     report(now_ns() * 1e-9)
                 else:
                     on_sample(sample, cls, (now_ns() if simulated else sample.received_stamp_ns) * 1e-9)
+
+
+def watch_several(
+    args: argparse.Namespace,
+    names: Sequence[str],
+    on_sample: Callable[[str, Sample, type[Message], float], None],
+    table: Callable[[float], list[str]],
+) -> None:
+    """Call `on_sample` with the name of a topic, its sample, its type and the time of arrival [s], until Ctrl-C.
+
+    Each second the lines of `table`, which gets the time [s], are printed; on a terminal, in place of the last ones.
+
+    Args:
+        args: The arguments of the verb.
+        names: The topics, which may have no publisher yet; none for all that are published, now or later.
+        on_sample: See above.
+        table: See above.
+    """
+    with (
+        graph.settled_participant(args.spin_time) as participant,
+        shown_node(participant, cli_node()) as node,
+        closing(TopicReaders(participant, node)) as readers,
+    ):
+        for name in names:
+            if not publishers_of(participant.graph, name):
+                report(f"WARNING: topic [{name}] does not appear to be published yet")
+        simulated = args.use_sim_time and not getattr(args, "wall_time", False)
+        refused: set[str] = set()
+        with clock(participant, cli_node(), simulated=simulated) as now_ns:
+            if simulated:
+                wait_until_known(now_ns)
+            next_report_s = time.monotonic() + REPORT_S
+            while True:
+                _open_published(participant.graph, names, readers, refused)
+                while time.monotonic() < next_report_s:
+                    is_idle = True
+                    for name, cls, sample in readers.take():
+                        is_idle = False
+                        came_ns = now_ns() if simulated else sample.received_stamp_ns
+                        on_sample(name, sample, cls, came_ns * 1e-9)
+                    if is_idle:
+                        wait_for_token(readers.queue, next_report_s)
+                next_report_s = max(next_report_s + REPORT_S, time.monotonic())
+                readers.warn_of_mismatches()
+                clear_terminal(sys.stdout)
+                print("\n".join(table(now_ns() * 1e-9)), flush=True)
+
+
+def _open_published(found: Graph, names: Sequence[str], readers: TopicReaders, refused: set[str]) -> None:
+    """Begin to read those topics that have a publisher by now; without names, all but hidden ones.
+
+    A topic that can't be read, for example because nobody has its type, is reported and added to `refused`.
+    """
+    published = {end.topic.name for end in found.endpoints() if end.is_writer}
+    wanted = names or sorted(name for name in published if not graph.is_hidden(name))
+    for name in wanted:
+        if name in readers or name in refused or name not in published:
+            continue
+        try:
+            cls = message_class(find_type(found, name), readers.participant)
+        except CommandError as error:
+            refused.add(name)
+            report(f"{name}: {error}")
+        else:
+            readers.open(name, cls, suiting_qos(publishers_of(found, name)))
+
+
+def table_lines(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Return the lines of a table, whose first column is names and whose others are numbers."""
+    widths = [max(map(len, column)) for column in zip(titles, *rows, strict=True)]
+    lines = [
+        "   ".join(
+            [
+                row[0].ljust(widths[0]),
+                *(cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True)),
+            ]
+        )
+        for row in (titles, *rows)
+    ]
+    return [lines[0], "=" * len(lines[0]), *lines[1:], ""]

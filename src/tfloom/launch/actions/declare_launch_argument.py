@@ -13,7 +13,7 @@ from tfloom.launch.frontend.expose import expose_action
 from tfloom.launch.logs.logging import get_logger
 from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
 
-__all__ = ["DeclareLaunchArgument"]
+__all__ = ["DeclareBooleanLaunchArgument", "DeclareLaunchArgument"]
 
 _LOGGER_NAME = "launch.actions.declare_launch_argument"
 
@@ -123,6 +123,43 @@ class DeclareLaunchArgument(Action):
                 f'Argument "{self.__name}" provided value "{value}" is not valid. '
                 f"Valid options are: {self.__choices}"
             )
+
+
+@expose_action("bool_arg")
+class DeclareBooleanLaunchArgument(DeclareLaunchArgument):
+    """Declares an argument whose valid values are those of a boolean: true, false, True, False, TRUE, FALSE.
+
+    Args:
+        name: Name of the argument.
+        default_value: Value if none is given: a boolean, or a text, which may have substitutions. None: a value must
+            be given.
+        description: What the argument is for.
+        kwargs: As for Action.
+
+    Raises:
+        RuntimeError: `default_value` is a text that isn't one of the valid values.
+        ValueError: there are `choices`, here or as tags in a launch file.
+    """
+
+    CHOICES = ("true", "false", "True", "False", "TRUE", "FALSE")
+
+    def __init__(
+        self,
+        name: str,
+        *,
+        default_value: bool | SomeSubstitutionsType | None = None,
+        description: str | None = None,
+        **kwargs: Any,
+    ) -> None:
+        if "choices" in kwargs:
+            raise ValueError("Cannot specify choices for bool_arg")
+        super().__init__(
+            name,
+            default_value=str(default_value).lower() if isinstance(default_value, bool) else default_value,
+            description=description,
+            choices=self.CHOICES,
+            **kwargs,
+        )
 
 
 def _check_choices(choices: list[str], default_value: SomeSubstitutionsType | None) -> None:

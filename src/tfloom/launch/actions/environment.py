@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 from tfloom.launch.actions.texts import ActionOfTexts, NamedValue
 from tfloom.launch.core.base_classes import SomeSubstitutionsType, Substitution
-from tfloom.launch.core.entity import Entity, ParsesActions
+from tfloom.launch.core.entity import Entity, ParsesActions, parse_pairs
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action
 from tfloom.launch.frontend.expose import expose_action
-from tfloom.launch.utilities.substitutions import normalize_to_list_of_substitutions, perform_substitutions
+from tfloom.launch.utilities.substitutions import (
+    normalize_to_list_of_substitutions,
+    perform_substitutions,
+)
 from tfloom.launch.utilities.type_utils import (
     NormalizedValueType,
     normalize_typed_substitution,
@@ -22,6 +26,7 @@ __all__ = [
     "AppendEnvironmentVariable",
     "PopEnvironment",
     "PushEnvironment",
+    "ReplaceEnvironmentVariables",
     "ResetEnvironment",
     "SetEnvironmentVariable",
     "UnsetEnvironmentVariable",
@@ -151,3 +156,52 @@ class ResetEnvironment(ActionOfTexts):
     def execute(self, context: LaunchContext) -> None:
         """Restore the variables that the launch began with."""
         context._reset_environment()
+
+
+@expose_action("rep_env")
+class ReplaceEnvironmentVariables(Action):
+    """Removes all environment variables when it is executed, and sets the given ones.
+
+    In a launch file, the tag `rep_env` has a tag `env` for each, with `name` and `value`.
+
+    Args:
+        environment: Value of each variable, by its name. Both may have substitutions, which are performed before the
+            others are removed.
+        kwargs: As for Action.
+    """
+
+    def __init__(
+        self,
+        environment: Mapping[Any, SomeSubstitutionsType] | None = None,
+        **kwargs: Any,
+    ) -> None:
+        super().__init__(**kwargs)
+        self.__environment = [
+            (normalize_to_list_of_substitutions(name), normalize_to_list_of_substitutions(value))
+            for name, value in (environment or {}).items()
+        ]
+
+    @classmethod
+    def parse(
+        cls, entity: Entity, parser: ParsesActions
+    ) -> tuple[type[ReplaceEnvironmentVariables], dict[str, Any]]:
+        """Return the class and its arguments, read from the tag `rep_env`, which may hold tags `env`."""
+        _, kwargs = super().parse(entity, parser)
+        variables = entity.get_attr("env", data_type=list[Entity], optional=True)
+        if variables is not None:
+            kwargs["environment"] = dict(parse_pairs(variables, parser))
+        return cls, kwargs
+
+    @property
+    def environment(self) -> list[tuple[list[Substitution], list[Substitution]]]:
+        """Name and value of each variable."""
+        return self.__environment
+
+    def execute(self, context: LaunchContext) -> None:
+        """Replace the variables for the processes that are started from here on."""
+        context._replace_environment(
+            {
+                perform_substitutions(context, name): perform_substitutions(context, value)
+                for name, value in self.__environment
+            }
+        )

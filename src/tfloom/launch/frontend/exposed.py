@@ -16,6 +16,7 @@ _ROS_SUBSTITUTIONS = "tfloom.launch.ros.substitutions"
 ACTION_MODULES: dict[str, str] = {
     "append_env": _ACTIONS + "environment",
     "arg": _ACTIONS + "declare_launch_argument",
+    "bool_arg": _ACTIONS + "declare_launch_argument",
     "executable": _ACTIONS + "execute_process",
     "for": _ACTIONS + "for_loop",
     "for_each": _ACTIONS + "for_loop",
@@ -33,6 +34,7 @@ ACTION_MODULES: dict[str, str] = {
     "node_container": _ROS_ACTIONS + "composable_nodes",
     "push-ros-namespace": _ROS_ACTIONS + "node_defaults",
     "push_ros_namespace": _ROS_ACTIONS + "node_defaults",
+    "rep_env": _ACTIONS + "environment",
     "reset": _ACTIONS + "launch_configurations",
     "reset_env": _ACTIONS + "environment",
     "ros_timer": _ROS_ACTIONS + "ros_timer",

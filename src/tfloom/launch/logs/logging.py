@@ -45,6 +45,9 @@ STYLES = ("{", "%", "$")
 LINE_FORMAT = "{msg}"
 """Of a process's output, whose prefix is part of the line."""
 
+LOG_FILE_NAME = "launch.log"
+"""Name of the launch's own log file, unless the program or the command line gives another one."""
+
 MAX_FOLDERS = 1000
 """Attempts to create a log folder with a new name."""
 
@@ -115,6 +118,7 @@ class LaunchConfig:
     def reset(self) -> None:
         """Return to what the environment variables say, with a new log folder."""
         self._log_dir: str | None = None
+        self._log_file_name = LOG_FILE_NAME
         self._is_loss_told = False
         self._file_handlers: dict[str, logging.Handler] = {}
         self._screen: dict[str, logging.Handler] = {}
@@ -159,6 +163,24 @@ class LaunchConfig:
             raise ValueError(f"Cannot set log directory to '{log_dir}': it is '{self._log_dir}' already")
         self._log_dir = str(path)
 
+    @property
+    def log_file_name(self) -> str:
+        """Name of the launch's own log file in its log folder.
+
+        Raises:
+            ValueError: (on setting) it is not the name of a file, because it is empty or has a folder.
+        """
+        return self._log_file_name
+
+    @log_file_name.setter
+    def log_file_name(self, name: str) -> None:
+        if not name or name in (".", "..") or "\0" in name or Path(name).name != name:
+            raise ValueError(
+                f"{name!r} is not the name of a log file: give one without folders; "
+                "ROS_LOG_DIR says in which folder it is"
+            )
+        self._log_file_name = name
+
     def set_screen_format(self, screen_format: str, *, screen_style: str | None = None) -> None:
         """Set the format of lines on the screen; the environment variable OVERRIDE_LAUNCH_SCREEN_FORMAT overrides it.
 
@@ -185,8 +207,8 @@ class LaunchConfig:
             ValueError: there is no such style, or it is given for the default.
         """
         self.log_format, self._log_style = _given_format("LOG", log_format, log_style, LOG_FORMATS)
-        if "launch.log" in self._file_handlers:
-            self._file_handlers["launch.log"].setFormatter(self._log_formatter())
+        if self._log_file_name in self._file_handlers:
+            self._file_handlers[self._log_file_name].setFormatter(self._log_formatter())
 
     def _screen_formatter(self) -> logging.Formatter:
         return _formatter(self.screen_format, self._screen_style, sys.stdout)
@@ -194,9 +216,9 @@ class LaunchConfig:
     def _log_formatter(self) -> logging.Formatter:
         return _formatter(self.log_format, self._log_style)
 
-    def get_log_file_path(self, file_name: str = "launch.log") -> str:
-        """Return the path of a file in the log folder."""
-        return str(Path(self.log_dir) / file_name)
+    def get_log_file_path(self, file_name: str | None = None) -> str:
+        """Return the path of a file in the log folder; without a name, of the launch's own."""
+        return str(Path(self.log_dir) / (file_name or self._log_file_name))
 
     def get_screen_handler(self, *, lines: bool = False) -> logging.Handler:
         """Return the handler that writes on the screen; `lines` are those of processes."""
@@ -209,8 +231,14 @@ class LaunchConfig:
             self._screen[name] = handler
         return self._screen[name]
 
-    def get_log_file_handler(self, file_name: str = "launch.log", *, lines: bool = False) -> logging.Handler:
-        """Return the handler that writes to a file in the log folder; one that writes nothing where that can't be."""
+    def get_log_file_handler(self, file_name: str | None = None, *, lines: bool = False) -> logging.Handler:
+        """Return the handler that writes to a file in the log folder; one that writes nothing where that can't be.
+
+        Args:
+            file_name: Name of the file; None: the launch's own.
+            lines: Whether it writes the lines of processes, which have no level.
+        """
+        file_name = file_name or self._log_file_name
         key = f"{file_name}{'/lines' if lines else ''}"
         if key not in self._file_handlers:
             try:
@@ -218,7 +246,7 @@ class LaunchConfig:
             except OSError as error:  # the launch goes on without it
                 self.tell_loss(file_name, error)
                 handler = logging.NullHandler()
-            if file_name != "launch.log":
+            if file_name != self._log_file_name:
                 handler.setFormatter(BraceFormatter(LINE_FORMAT))
             else:
                 handler.setFormatter(
@@ -245,7 +273,7 @@ class LaunchConfig:
     def has_handler(self, handler: logging.Handler, *, is_screen: bool) -> bool:
         """Return whether a handler is that of the screen, or else that of the launch's log file."""
         return handler is (
-            self._screen.get("records") if is_screen else self._file_handlers.get("launch.log")
+            self._screen.get("records") if is_screen else self._file_handlers.get(self._log_file_name)
         )
 
     def add_logger(self, logger: logging.Logger) -> None:
@@ -317,7 +345,7 @@ def log_launch_config(*, logger: logging.Logger) -> None:
         try:
             logger.info("All log files can be found below %s", launch_config.log_dir)
         except OSError as error:
-            launch_config.tell_loss("launch.log", error)
+            launch_config.tell_loss(launch_config.log_file_name, error)
         logger.info("Default logging verbosity is set to %s", logging.getLevelName(launch_config.level))
 
 

@@ -6,6 +6,7 @@ import warnings
 from collections.abc import Callable
 from typing import Any, ClassVar, Protocol
 
+from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.launch.core.event import Event
 
 __all__ = ["ChangeState", "NamedNode", "StateTransition", "matches_lifecycle_node_name", "matches_node_name"]
@@ -37,8 +38,16 @@ class StateTransition(Event):
 
     @property
     def timestamp(self) -> int:
-        """Time of the transition [ns]."""
+        """Time of the transition [ns]; `stamp` in ROS 2 Lyrical."""
+        if hasattr(self._msg, "stamp"):
+            return int(self._msg.stamp.sec) * 10**9 + int(self._msg.stamp.nanosec)
         return int(self._msg.timestamp)
+
+    @property
+    def stamp(self) -> Time:
+        """Time of the transition, a builtin_interfaces/msg/Time; `timestamp` before ROS 2 Lyrical."""
+        sec, nanosec = divmod(self.timestamp, 10**9)
+        return Time(sec=sec, nanosec=nanosec)
 
     @property
     def transition(self) -> str:

@@ -13,7 +13,9 @@ import weakref
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from heapq import heappop, heappush
 from itertools import count, product
+from operator import attrgetter
 from time import monotonic
 from typing import TYPE_CHECKING, Any
 
@@ -38,6 +40,7 @@ __all__ = [
     "JumpBack",
     "SimpleFilter",
     "Subscriber",
+    "TimeSequencer",
     "TimeSynchronizer",
 ]
 
@@ -317,6 +320,111 @@ class Chain(SimpleFilter):
     def getFilter(self, index: int) -> Any:
         """Return a filter by its index, from 0; KeyError if there is none."""
         return self._filters[index]
+
+
+class TimeSequencer(SimpleFilter):
+    """Passes on messages in the order of their stamps, each when its stamp is older than a delay.
+
+    A message that comes after one with a later stamp was passed on is dropped. The time is that of the node's clock.
+
+    Args:
+        input_filter: The input filter; None: messages come from `add` alone.
+        delay: How old a stamp must be, a Duration or seconds. Longer than messages are late.
+        update_rate: Time between two looks at the waiting messages, a Duration or seconds.
+        queue_size: Most messages that wait; of more, the oldest is dropped.
+        node: The node whose clock counts and whose executor calls the callbacks.
+        msg_stamp_attr: Attributes from a message to its stamp, with dots between.
+
+    Raises:
+        TypeError: `node` is not a node.
+        ValueError: `queue_size` is below 1, `delay` is negative, or `update_rate` is not above zero.
+    """
+
+    def __init__(
+        self,
+        input_filter: Any,
+        delay: Duration | float,
+        update_rate: Duration | float,
+        queue_size: int,
+        node: Any,
+        msg_stamp_attr: str = "header.stamp",
+    ) -> None:
+        super().__init__()
+        if (error := node_error("TimeSequencer", node)) is not None:
+            raise error
+        self._delay_ns, period_ns = _nanoseconds(delay), _nanoseconds(update_rate)
+        if queue_size < 1 or self._delay_ns < 0 or period_ns <= 0:
+            raise ValueError(
+                "TimeSequencer needs a queue size of 1 or more, a delay that isn't negative and an update rate above "
+                f"zero, got {queue_size}, {self._delay_ns / 1e9:g} s and {period_ns / 1e9:g} s"
+            )
+        self.queue_size = queue_size
+        self._clock = node.get_clock()
+        self._stamp_of = attrgetter(msg_stamp_attr)
+        self._lock = threading.Lock()
+        """Guards the members below, between messages, looks and jumps of time."""
+        self._waiting: list[tuple[int, int, Any]] = []
+        """A heap of stamps [ns], numbers in order of arrival, and messages."""
+        self._arrivals = count()
+        self._last_ns: int | None = None
+        """Stamp of the last message that was passed on."""
+        self._input: Any = None
+        self.incoming_connection: Any = None
+        self._jump: JumpBack | None = None
+        # By a clock that can't jump or stand still: what is due depends on the node's.
+        from tfloom.node.clock.clock import Clock
+
+        self._timer = node.create_timer(
+            period_ns / 1e9, self._pass_on_due, clock=Clock(clock_type=ClockType.STEADY_TIME)
+        )
+        clear_with(node.get_clock(), self)
+        if input_filter is not None:
+            self.connectInput(input_filter)
+
+    def connectInput(self, input_filter: Any) -> None:
+        """Connect to an input filter, in place of the last one."""
+        if self._input is not None:
+            self._input.unregisterCallback(self.incoming_connection)
+        self._input = input_filter
+        self.incoming_connection = input_filter.registerCallback(self.add)
+
+    def add(self, msg: Any) -> None:
+        """Keep a message until it is due."""
+        stamp_ns = time_ns(self._stamp_of(msg))
+        with self._lock:
+            if self._last_ns is not None and stamp_ns < self._last_ns:
+                return
+            if self._jump is not None and self._jump.has_overtaken(stamp_ns):
+                return
+            heappush(self._waiting, (stamp_ns, next(self._arrivals), msg))
+            if len(self._waiting) > self.queue_size:
+                heappop(self._waiting)
+
+    def _pass_on_due(self) -> None:
+        # One at a time and outside the lock, because a callback may add messages.
+        while (message := self._take_due()) is not None:
+            self.signalMessage(message)
+
+    def _take_due(self) -> Any:
+        """Remove and return the message with the earliest stamp if it is due, or None."""
+        clock = self._clock
+        with self._lock:
+            if clock is None or not self._waiting or self._waiting[0][0] > clock.now_ns() - self._delay_ns:
+                return None
+            self._last_ns, _, message = heappop(self._waiting)
+            return message
+
+    def clear_after_jump(self, jump: JumpBack) -> None:
+        """Forget all messages, and those that are sent before the jump and arrive now; see `SimpleFilter`."""
+        with self._lock:
+            self._jump = jump
+            self._last_ns = None
+            self._waiting.clear()
+        super().clear_after_jump(jump)
+
+
+def _nanoseconds(time: Duration | float) -> int:
+    return time.nanoseconds if isinstance(time, Duration) else round(time * 1e9)
 
 
 class TimeSynchronizer(SimpleFilter):
