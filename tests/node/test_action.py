@@ -15,6 +15,7 @@ from tfloom.interfaces.action_msgs.msg import GoalInfo, GoalStatus
 from tfloom.interfaces.action_msgs.srv import CancelGoal
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.node.action.client import MAX_ENDED, ActionClient
 from tfloom.node.action.goal_states import GoalEvent
 from tfloom.node.action.graph import (
@@ -25,11 +26,13 @@ from tfloom.node.action.graph import (
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import NoResponseError
+from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.values.exceptions import RCLError
+from tfloom.node.qos.qos import QoSProfile
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.rmw.local import endpoints as local_endpoints
 from tfloom.rmw.typed_names import new_goal_id
 
@@ -379,3 +382,70 @@ def test_actions_are_on_the_graph(server_node: Node, client: ActionClient, node:
     assert get_action_server_names_and_types_by_node(node, "server", "/") == expected
     assert get_action_server_names_and_types_by_node(node, "tester", "/") == []
     assert get_action_client_names_and_types_by_node(node, "tester", "/") == expected
+
+
+def test_events_of_an_actions_services_are_published(
+    server_node: Node,
+    client: ActionClient,
+    node: Node,
+    finish: Finish,
+    executor: SingleThreadedExecutor,
+    spin_until: Callable[..., None],
+) -> None:
+    gated = Gated(executor)
+    server = ActionServer(
+        server_node, Fibonacci, "fibonacci", gated, cancel_callback=lambda _: CancelResponse.ACCEPT
+    )
+    impl = Fibonacci.Impl
+    services: dict[str, Any] = {
+        "send_goal": impl.SendGoalService,
+        "cancel_goal": impl.CancelGoalService,
+        "get_result": impl.GetResultService,
+    }
+    events: dict[str, list[Any]] = {name: [] for name in services}
+    for name, service in services.items():
+        topic = f"/fibonacci/_action/{name}/_service_event"
+        node.create_subscription(service.Event, topic, events[name].append, 100)
+
+    def configure(state: ServiceIntrospectionState) -> None:
+        for end in (client, server):
+            end.configure_introspection(node.get_clock(), QoSProfile(depth=100), state)
+
+    def cancel_a_goal() -> None:
+        goal = finish(client.send_goal_async(Fibonacci.Goal(order=7)))
+        result = goal.get_result_async()
+        finish(goal.cancel_goal_async())
+        gated.gates.pop().set_result(None)
+        finish(result)
+
+    info = ServiceEventInfo
+    kinds = [info.REQUEST_SENT, info.REQUEST_RECEIVED, info.RESPONSE_SENT, info.RESPONSE_RECEIVED]
+    configure(ServiceIntrospectionState.METADATA)
+    cancel_a_goal()
+    spin_until(lambda: all(len(got) == 4 for got in events.values()))
+    for got in events.values():
+        assert sorted(event.info.event_type for event in got) == sorted(kinds)
+        assert len({(tuple(event.info.client_gid), event.info.sequence_number) for event in got}) == 1
+        assert not any([*event.request, *event.response] for event in got)
+        got.clear()
+    configure(ServiceIntrospectionState.CONTENTS)
+    cancel_a_goal()
+    spin_until(lambda: all(len(got) == 4 for got in events.values()))
+    sent = [event for event in events["send_goal"] if event.info.event_type == info.REQUEST_SENT]
+    assert sent[0].request[0].goal.order == 7
+    received = [event for event in events["get_result"] if event.info.event_type == info.RESPONSE_RECEIVED]
+    assert list(received[0].response[0].result.sequence) == [7]
+    configure(ServiceIntrospectionState.OFF)
+    cancel_a_goal()
+    assert all(len(got) == 4 for got in events.values())
+    assert not [
+        name
+        for name, _ in node.get_topic_names_and_types()
+        if "_service_event" in name and node.count_publishers(name)
+    ]
+    for end in (client, server):
+        end.destroy()
+        with pytest.raises(InvalidHandle):
+            end.configure_introspection(
+                node.get_clock(), QoSProfile(depth=1), ServiceIntrospectionState.METADATA
+            )

@@ -48,7 +48,9 @@ from tfloom.rosidl.service import Action
 if TYPE_CHECKING:
     from typing_extensions import Self
 
+    from tfloom.node.clock.clock import Clock
     from tfloom.node.endpoints.client import Client
+    from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
     from tfloom.node.endpoints.subscription import MessageInfo
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.node import Node
@@ -483,6 +485,27 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultRe
             # The status in the result is the final one.
             if handle is not None and (handle.status in ACTIVE or handle.status == GoalStatus.STATUS_UNKNOWN):
                 handle.status = goal_status.status
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish requests and responses on `<action>/_action/<service>/_service_event`, for each of three services.
+
+        These are `send_goal`, `cancel_goal` and `get_result`.
+
+        Args:
+            clock: Stamps the events.
+            service_event_qos_profile: QoS of the events' publishers.
+            introspection_state: OFF, METADATA, or CONTENTS, with requests and responses.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        for client in (self._send, self._cancel, self._result):
+            client.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many items of each kind the client consists of."""

@@ -50,6 +50,8 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
+    from tfloom.node.clock.clock import Clock
+    from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
     from tfloom.node.executing.callback_groups import CallbackGroup
     from tfloom.node.executing.timer import Timer
     from tfloom.node.node import Node
@@ -459,6 +461,27 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
                 return
             self._expiry.timer_period_ns = max(1, oldest_ns + self._result_timeout_ns - now_ns)
             self._expiry.reset()
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish requests and responses on `<action>/_action/<service>/_service_event`, for each of three services.
+
+        These are `send_goal`, `cancel_goal` and `get_result`.
+
+        Args:
+            clock: Stamps the events.
+            service_event_qos_profile: QoS of the events' publishers.
+            introspection_state: OFF, METADATA, or CONTENTS, with requests and responses.
+
+        Raises:
+            InvalidHandle: it was destroyed.
+        """
+        for service in self._services:
+            service.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def get_num_entities(self) -> NumberOfEntities:
         """Return how many items of each kind the server consists of."""
