@@ -67,6 +67,20 @@ def test_installed_package_counts_before_what_is_above_the_description(
     assert find_mesh("package://gripper/meshes/a.stl", tmp_path / "src" / "bot" / "urdf") == path
 
 
+def test_file_of_another_machine_is_found_in_its_package_around_the_description(tmp_path: Path) -> None:
+    path = made(tmp_path / "arm" / REST)
+    near = tmp_path / "arm" / "urdf"
+    near.mkdir()
+    gone = f"file:///home/somebody/share/install/share/arm/{REST.as_posix()}"
+    assert find_mesh(gone, near) == path
+    # One that is there is taken as it is named; and what came over the wire has nothing around it.
+    here = made(tmp_path / "install" / "share" / "arm" / REST)
+    assert find_mesh(here.as_uri(), near) == here
+    assert find_mesh(gone, None) == Path(gone.removeprefix("file://"))
+    for absent in ("file:///share/arm/meshes/b.stl", "file:///share/leg/meshes/a.stl", "file:///share.stl"):
+        assert find_mesh(absent, near) == Path(absent.removeprefix("file://"))
+
+
 def test_paths_of_a_file_are_beside_it(tmp_path: Path) -> None:
     assert find_mesh("meshes/a.stl", tmp_path) == tmp_path / REST
     assert find_mesh("../a.STL", tmp_path) == tmp_path / ".." / "a.STL"

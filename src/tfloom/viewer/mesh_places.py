@@ -33,7 +33,8 @@ def find_mesh(uri: str, near: Path | None) -> Path:
     if not parsed.path.lower().endswith(ENDINGS):
         raise DisplayError(f"{uri} is not a file of a mesh: its name ends in none of {', '.join(ENDINGS)}")
     if parsed.scheme == "file":
-        return Path(unquote(parsed.path))
+        path = Path(unquote(parsed.path))
+        return path if near is None or path.exists() else _moved(path, near)
     if near is not None and not parsed.scheme:
         return near / uri
     if parsed.scheme not in {"package", "model"}:
@@ -42,6 +43,20 @@ def find_mesh(uri: str, near: Path | None) -> Path:
     if not package:  # one slash too many, which readers of URDF leave out
         package, _, rest = rest.partition("/")
     return _find_in_package(package, rest, near, uri)
+
+
+def _moved(path: Path, near: Path) -> Path:
+    """Return where a file is that was installed on another machine, as `…/share/PACKAGE/REST`; or its path there.
+
+    An expanded description has such paths, and stands beside the package's sources.
+    """
+    parts = path.parts
+    for number, part in enumerate(parts[:-2]):
+        if part == "share":
+            for folder in packages_around(near, parts[number + 1]):
+                if (found := folder.joinpath(*parts[number + 2 :])).exists():
+                    return found
+    return path
 
 
 def _find_in_package(package: str, rest: str, near: Path | None, uri: str) -> Path:
