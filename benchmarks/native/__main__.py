@@ -55,6 +55,7 @@ ROWS: list[tuple[str, str]] = [
     ("shared 0 and 1", "decode PoseStamped"),
     ("ASCII text", "decode JointState of 30"),
     ("size hint", "encode TFMessage x 1"),
+    ("kept memory", "decode 8 MB, five held"),
     ("wake-up if waiting", "post to a busy executor"),
 ]
 

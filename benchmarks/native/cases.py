@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
 from time import thread_time_ns
 from typing import Any, NamedTuple
@@ -14,7 +15,7 @@ from benchmarks.tf2.trees import START_NS, Tree, chain, humanoid
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.geometry_msgs.msg import PoseStamped, Transform, TransformStamped
 from tfloom.interfaces.sensor_msgs.msg import JointState
-from tfloom.interfaces.std_msgs.msg import Header
+from tfloom.interfaces.std_msgs.msg import Header, UInt8MultiArray
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
@@ -187,6 +188,17 @@ def decode(message: Any, count: int) -> Case:
     return Case(call, lambda: list(cdr.encode(cdr.decode(kind, data))), count)
 
 
+def decode_held(message: Any, held: int) -> Case:
+    """Decode messages that the program holds for a while, as a queue of images does."""
+    kind, data = type(message), cdr.encode(message)
+
+    def call() -> None:
+        messages = [cdr.decode(kind, data) for _ in range(held)]
+        messages.clear()
+
+    return Case(call, lambda: list(hashlib.sha256(cdr.encode(cdr.decode(kind, data))).digest()), held)
+
+
 def encode(message: Any, count: int) -> Case:
     def call() -> None:
         for _ in range(count):
@@ -241,6 +253,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "decode TFMessage x 1": lambda: decode(tf_message(ROBOT[:1]), 300),
     "decode PoseStamped": lambda: decode(PoseStamped(), 300),
     "decode JointState of 30": lambda: decode(JOINTS, 100),
+    "decode 8 MB, five held": lambda: decode_held(UInt8MultiArray(data=bytes(8_000_000)), 5),
     "encode TFMessage x 1": lambda: encode(tf_message(ROBOT[:1]), 500),
     "post to a busy executor": posts,
 }

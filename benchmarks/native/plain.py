@@ -127,6 +127,11 @@ EDITS: dict[str, dict[str, Edits | str]] = {
     "short slice": {
         "dds/reader.cpp": [("if (is_of_library()) use_short_slice();", "static_cast<void>(is_of_library);")]
     },
+    "kept memory": {
+        "core/kept_memory.hpp": [
+            ("if (message_size < min_kept_memory) return;", "if (message_size != SIZE_MAX) return;")
+        ]
+    },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
 }
 """For each optimisation, its files, each with its edits or with the name of the file in `plain/` that replaces it."""

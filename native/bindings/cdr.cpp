@@ -13,6 +13,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/message_base.hpp"
 #include "bindings/objects.hpp"
+#include "core/kept_memory.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -208,10 +209,12 @@ nb::bytes encode(const nb::handle& message) {
                       nb::cast(path), nb::cast(reason), nb::none());
   }
   plan.last_size = out.size();
+  keep_memory_of(out.size());
   return storage.take(out.size());
 }
 
 nb::object decode_bytes(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes) {
+  keep_memory_of(bytes.size());
   try {
     cdr::Cursor in(bytes);
     ObjectBuilder builder(type);

@@ -14,6 +14,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
 #include "bindings/bytes.hpp"
+#include "core/kept_memory.hpp"
 #include "dds/graph.hpp"
 #include "dds/packets.hpp"
 #include "dds/participant.hpp"
@@ -67,6 +68,7 @@ std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.siz
 nb::object take_sample(Reader& reader) {
   nb::object taken = nb::none();
   reader.take([&taken](std::span<const std::byte> data, const SampleInfo& info) {
+    keep_memory_of(data.size());
     taken = nb::make_tuple(to_bytes(data), info.source_stamp_ns, info.received_stamp_ns,
                            to_bytes(info.publisher_gid));
   });

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import os
+import platform
 import struct
 import sys
 import threading
@@ -206,3 +208,46 @@ def test_threads_use_messages_concurrently() -> None:
 
     in_threads(work)
     assert not wrong
+
+
+FAULTS_OF_LARGE_MESSAGES = """
+import os, resource
+os.environ.update({SETTINGS!r})
+from tfloom.interfaces.std_msgs.msg import UInt8MultiArray
+from tfloom.rosidl import cdr
+size, held = {SIZE}, 5
+data = cdr.encode(UInt8MultiArray(data=bytes(size)))
+def turn():
+    messages = [cdr.decode(UInt8MultiArray, data) for _ in range(held)]
+turn()
+before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+for _ in range(10):
+    turn()
+pages = 10 * held * size / resource.getpagesize()
+print((resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before) / pages)
+"""
+
+
+@pytest.mark.skipif("glibc" not in platform.libc_ver(), reason="only glibc's settings are changed")
+@pytest.mark.parametrize(
+    ("settings", "size", "keeps"),
+    [
+        ({}, 1_000_000, True),
+        ({}, 100_000, False),  # a program of small messages allocates as before
+        ({"MALLOC_ARENA_MAX": "2"}, 1_000_000, False),
+        ({"GLIBC_TUNABLES": "glibc.malloc.arena_max=2"}, 1_000_000, False),
+    ],
+)
+def test_memory_of_large_messages_is_kept_unless_the_user_sets_it(
+    start_program: Any, settings: dict[str, str], size: int, keeps: bool
+) -> None:
+    code = FAULTS_OF_LARGE_MESSAGES.format(SETTINGS=settings, SIZE=size)
+    environment = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("MALLOC_", "GLIBC_TUNABLES", "PYTHONMALLOC"))
+    }
+    program = start_program("python", "-c", code, env=environment)
+    assert program.wait() == 0, program.output
+    faults_of_a_page = float(program.lines[-1])
+    assert (faults_of_a_page < 0.1) is keeps, f"{faults_of_a_page} faults a page"
