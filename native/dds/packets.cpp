@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "dds/flow_control.hpp"
 #include "rtps/service_forms.hpp"
 #endif
 
@@ -51,10 +52,10 @@ std::size_t size_of(const msghdr& message) {
   return size;
 }
 
-// Wait before a large datagram that follows another one at once. Fast DDS leaves its sockets at the system's default size,
-// by which three datagrams of 64 kB wait on Linux; on loopback nothing else slows the sender down. The thread that receives
-// takes one in some tens of microseconds.
-void pace(std::size_t size) {
+// Wait before a large datagram that follows another one at once. For receivers whose sockets the kernel doesn't tell of.
+// Fast DDS leaves its sockets at the system's default size, by which three datagrams of 64 kB wait on Linux; on loopback
+// nothing else slows the sender down. The thread that receives takes one in some tens of microseconds.
+void pace_by_time(std::size_t size) {
   using std::chrono::steady_clock;
   constexpr std::size_t min_size = 32 << 10;
   constexpr std::chrono::microseconds pause{100};  // the timer of Linux adds half of it
@@ -62,6 +63,14 @@ void pace(std::size_t size) {
   if (size < min_size) return;
   if (steady_clock::now() - last_sent < pause) std::this_thread::sleep_for(pause);
   last_sent = steady_clock::now();
+}
+
+// Wait before a large datagram until the receiver has room for it. Of its own accord only a small share of the messages of
+// some megabytes arrives where sockets have the default size: benchmarks/node, "streams".
+void pace(const rtps::Address& receiver, std::size_t size, bool is_of_inline_peer) {
+  constexpr std::size_t min_size = 8 << 10;  // below that of the fragments for other machines
+  if (size < min_size || FlowControl::of_process().wait_for_room(receiver, size)) return;
+  if (is_of_inline_peer) pace_by_time(size);
 }
 
 std::vector<std::byte> joined(const msghdr& message) {
@@ -78,9 +87,10 @@ std::vector<std::byte> joined(const msghdr& message) {
 ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   rtps::ServiceForms& forms = rtps::ServiceForms::of_process();
   const auto address = address_of(*message);
-  if (!address || !forms.is_of_inline_peer(*address)) return ::sendmsg(descriptor, message, flags);
-  pace(size_of(*message));
-  if (!forms.has_ends()) return ::sendmsg(descriptor, message, flags);
+  if (!address) return ::sendmsg(descriptor, message, flags);
+  const bool is_inline = forms.is_of_inline_peer(*address);
+  pace(*address, size_of(*message), is_inline);
+  if (!is_inline || !forms.has_ends()) return ::sendmsg(descriptor, message, flags);
   std::vector<std::byte> datagram = joined(*message);
   std::vector<std::vector<std::byte>> rewritten;
   if (!forms.rewrite(*address, datagram, rewritten)) return ::sendmsg(descriptor, message, flags);

@@ -27,6 +27,7 @@ PROGRAMS = [
     "dds_ownership",
     "hostile_tf",
     "observer_threads",
+    "paced_senders",
     "queue_threads",
     "service_clients",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import random
@@ -50,6 +51,9 @@ class Peer:
 
     def take(self, end: int) -> list[str]:
         return [sample.data.hex() for sample in iter(self.ends[end].take, None)]
+
+    def take_digests(self, end: int) -> list[str]:
+        return [hashlib.sha256(sample.data).hexdigest() for sample in iter(self.ends[end].take, None)]
 
     def close(self, end: int) -> None:
         self.ends[end].close()
