@@ -11,7 +11,7 @@ import math
 import sys
 from collections.abc import Callable
 
-from benchmarks.node import executors, listener, publishing, receiving, round_trip, start, timers
+from benchmarks.node import executors, listener, publishing, receiving, round_trip, start, streams, timers
 from benchmarks.node.processes import PEER, apis
 from benchmarks.node.ros_spinning import IN_A_THREAD
 from benchmarks.node.ros_trips import SIZES, WAYS_TO_CALL
@@ -71,6 +71,34 @@ def trip_rows(name: str, trips: dict[str, round_trip.Trip], aim: str = "") -> No
     row(f"{name}, p50", ours.p50_us, cyclone.p50_us, rclpy.p50_us, aim=aim)
     row(f"{name}, p99", ours.p99_us, cyclone.p99_us, rclpy.p99_us, aim=aim)
     row("  CPU of the answering process, a trip", ours.cpu_us, cyclone.cpu_us, rclpy.cpu_us)
+
+
+def large_streams() -> None:
+    for buffer, count in streams.BUFFERS.items():
+        head(f"{count} messages at 30 Hz, best effort, sockets of {buffer}", "rclpy by UDP")
+        for name, size in streams.SIZES.items():
+            done = streams.measure_all(apis(), size, buffer)
+            stream_row(
+                f"received, of {name}", done, lambda stream: stream.received.messages, is_more_better=True
+            )
+            row("  sent without waiting for room", done["unpaced"].received.messages)
+            stream_row("  CPU of the sender, a message [ms]", done, lambda stream: stream.sent.cpu_ms)
+            stream_row("  CPU of the receiver, a message [ms]", done, lambda stream: stream.received.cpu_ms)
+            stream_row("  peak memory of the sender [MB]", done, lambda stream: stream.sent.peak_mb)
+            stream_row("  peak memory of the receiver [MB]", done, lambda stream: stream.received.peak_mb)
+
+
+def stream_row(
+    what: str,
+    done: dict[str, streams.Stream],
+    figure: Callable[[streams.Stream], float],
+    *,
+    is_more_better: bool = False,
+) -> None:
+    ours, rclpy, by_udp = (
+        figure(done[api]) if api in done else math.nan for api in ("tfloom", PEER, "by UDP")
+    )
+    row(what, ours, by_udp, rclpy, is_more_better=is_more_better)
 
 
 def ways_to_spin() -> None:
@@ -160,6 +188,7 @@ def idle() -> None:
 
 PARTS: dict[str, Callable[[], None]] = {
     "trips": round_trips,
+    "streams": large_streams,
     "spinning": ways_to_spin,
     "receiving": messages_received,
     "publishing": messages_published,

@@ -16,11 +16,19 @@ MIN_STEADY_S = 300.0
 
 
 class Memory:
-    """The resident memory of a process over the time of the test."""
+    """The resident memory of a process over the time of the test.
 
-    def __init__(self, pid: int, seconds: float) -> None:
+    Args:
+        pid: The process.
+        seconds: How long the test takes.
+        warm_up: The fraction of the time after which memory should be constant; None: chosen by the time.
+    """
+
+    def __init__(self, pid: int, seconds: float, warm_up: float | None = None) -> None:
         self._status = Path(f"/proc/{pid}/status")
-        self._warm_up = max(WARM_UP, WARM_UP_S / seconds) if seconds >= MIN_STEADY_S else WARM_UP
+        if warm_up is None:
+            warm_up = max(WARM_UP, WARM_UP_S / seconds) if seconds >= MIN_STEADY_S else WARM_UP
+        self._warm_up = warm_up
         self._sizes: list[tuple[float, float]] = []
 
     def note(self, progress: float) -> None:

@@ -44,16 +44,18 @@ def apis(*packages: str) -> tuple[str, ...]:
     return (*APIS, PEER) if all(map(peer.has, packages)) else APIS
 
 
-def start(role: str, *arguments: object, api: str = "tfloom") -> subprocess.Popen[str]:
-    """Start `python -m benchmarks.node.<role> <arguments>`, by the Python that has `api`."""
+def start(
+    role: str, *arguments: object, api: str = "tfloom", variables: dict[str, str] | None = None
+) -> subprocess.Popen[str]:
+    """Start `python -m benchmarks.node.<role> <arguments>`, by the Python that has `api`, with more variables."""
+    added = variables or {}
     command = ["-m", f"benchmarks.node.{role}", *map(str, arguments)]
     if api == PEER:
         from tools.ros_peer import find
 
-        return find().start(
-            command, DOMAIN_ID, paths=[ROOT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=ROOT
-        )
-    environment = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID)}
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+        return find().start(command, DOMAIN_ID, paths=[ROOT], cwd=ROOT, env=added, **pipes)
+    environment = os.environ | {"ROS_DOMAIN_ID": str(DOMAIN_ID)} | added
     if api == "cyclonedds":  # each tfloom configures the library itself
         from tfloom.rmw.cyclone.config import configuration
 
@@ -79,9 +81,11 @@ def run(role: str, *arguments: object, api: str = "tfloom") -> Any:
 
 
 @contextlib.contextmanager
-def background(role: str, *arguments: object, api: str = "tfloom") -> Iterator[subprocess.Popen[str]]:
+def background(
+    role: str, *arguments: object, api: str = "tfloom", variables: dict[str, str] | None = None
+) -> Iterator[subprocess.Popen[str]]:
     """Run a role for the block."""
-    process = start(role, *arguments, api=api)
+    process = start(role, *arguments, api=api, variables=variables)
     try:
         yield process
     finally:

@@ -13,7 +13,7 @@ from typing import Any
 from benchmarks.node.flight import Flight
 from benchmarks.node.ros_spinning import MAX_DURATION_S, Wait
 
-SIZES = {"64 kB": 64_000, "1 MB": 1_000_000}
+SIZES = {"64 kB": 64_000, "1 MB": 1_000_000, "8 MB": 8_000_000}
 QUIET_S = 0.02
 """Time in which a surplus message would arrive before a turn."""
 
