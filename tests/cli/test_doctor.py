@@ -16,10 +16,11 @@ from tfloom.cli.doctor import checks as health
 from tfloom.cli.doctor.checks import Interface, check_domain, check_network, check_reach
 from tfloom.cli.doctor.finding import Verdict
 from tfloom.interfaces.std_msgs.msg import Empty
+from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS, ReliabilityPolicy
-from tfloom.rmw.typed_names import topic_of
+from tfloom.rmw.typed_names import service_of, topic_of
 from tfloom.ros_imports import ros_distro
 
 LO, ETH0, TUN0 = Interface("lo", 0x9), Interface("eth0", 0x1003), Interface("tun0", 0x1)
@@ -48,7 +49,7 @@ def test_all_checks_pass_on_a_sound_system(domain_id: int) -> None:
     assert "domain: domain %d, discovery range LOCALHOST" % domain_id in answer.text  # noqa: UP031
     assert "and exchanged a message" in answer.text
     is_zenoh = os.environ.get("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp"  # whose router is a check more
-    assert answer.text.endswith(f"\nAll {14 if is_zenoh else 13} checks passed")
+    assert answer.text.endswith(f"\nAll {15 if is_zenoh else 14} checks passed")
 
 
 def test_wtf_is_doctor() -> None:
@@ -167,7 +168,9 @@ def test_report_flags_print_details() -> None:
     assert "reportlab: " in whole.text
     assert "reportlab: " not in failed.text
     assert "ROS_DOMAIN_ID: x" in failed.text
-    assert failed.text.endswith("4/13 checks failed\nFailed: domain, round trip, peers, quality of service")
+    assert failed.text.endswith(
+        "5/14 checks failed\nFailed: domain, round trip, peers, quality of service, services"
+    )
     assert whole.exit_code == failed.exit_code == 1
 
 
@@ -201,6 +204,32 @@ def test_publishers_and_subscriptions_that_do_not_connect_are_named(domain_id: i
     assert found.verdict is Verdict.OK, found
 
 
+def test_services_and_those_without_a_server_are_listed(domain_id: int) -> None:
+    participant = open_participant()
+    node = NodeName("/", "both")
+    try:
+        participant.add_node(node)
+        responder = participant.create_responder(node, service_of(SetBool, "/served"), QoS())
+        requesters = [
+            participant.create_requester(node, service_of(SetBool, name), QoS())
+            for name in ("/served", "/missing")
+        ]
+        found = health.checks(exclude_packages=True)["services"]()
+        for end in (responder, *requesters):
+            end.close()
+    finally:
+        participant.close()
+    assert found.verdict is Verdict.OK
+    assert found.summary == (
+        "services: 2, of which 0 begin goals of actions; clients wait for a server of /missing"
+    )
+    assert found.details == {
+        "/served": "std_srvs/srv/SetBool; servers /both; clients /both",
+        "/missing": "std_srvs/srv/SetBool; clients /both",
+    }
+    assert health.checks(exclude_packages=True)["services"]().details == {}
+
+
 def test_link_to_our_own_command_is_ours(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """`uv tool install` and pipx put such a link into ~/.local/bin."""
     (tmp_path / "venv").mkdir()
@@ -220,9 +249,9 @@ def test_checks_for_other_programs(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ROS_DOMAIN_ID", "x")
     from ros2doctor.api import DoctorCheck, Report, Result, generate_reports, run_checks
 
-    failed = {"domain", "round trip", "peers", "quality of service"}
-    assert run_checks() == (failed, 4, 13)
-    assert run_checks(exclude_packages=True)[1:] == (4, 11)
+    failed = {"domain", "round trip", "peers", "quality of service", "services"}
+    assert run_checks() == (failed, 5, 14)
+    assert run_checks(exclude_packages=True)[1:] == (5, 12)
     (report,) = generate_reports(categories=["domain"])
     assert isinstance(report, Report)
     assert report.name == "domain"

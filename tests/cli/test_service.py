@@ -137,3 +137,19 @@ def test_waiting_for_a_misspelt_service_gives_the_nearest(
     call = start_program("python", *transcript.python_words(*words, constants=quick))
     call.wait_for("did you mean /spawn?")
     assert call.lines[:2] == ["waiting for service to become available...", "no server of /spwn yet"]
+
+
+def test_verbose_info_describes_servers_and_clients() -> None:
+    shown = transcript.run_here("service", "info", "-v", "/spawn").text.split("\n\n")
+    assert shown[:2] == ["Type: turtlesim/srv/Spawn", "Clients count: 0"]
+    lines = shown[3].splitlines()
+    assert shown[2] == "Services count: 1"
+    assert lines[:3] == ["Node name: turtlesim", "Node namespace: /", "Service type: turtlesim/srv/Spawn"]
+    assert re.fullmatch(r"Service type hash: (RIHS01_[0-9a-f]{64}|INVALID)", lines[3])
+    assert lines[4] == "Endpoint type: SERVER"
+    count = int(lines[5].removeprefix("Endpoint count: "))
+    assert count in (1, 2)
+    assert sum(line.startswith("GID: ") for line in lines) == lines.count("  Reliability: RELIABLE") == count
+    client = transcript.run_here("service", "info", "-v", "/reset").text.split("\n\n")
+    assert client[1] == "Clients count: 1"
+    assert "Endpoint type: CLIENT" in client[2].splitlines()

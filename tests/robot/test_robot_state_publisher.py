@@ -341,3 +341,41 @@ def test_what_it_needs_to_start(
     ]:
         assert main(words) == 1
         assert reason in capfd.readouterr().err
+
+
+class TopicStage(spun.Stage):
+    """A robot_state_publisher that takes its robot from a topic, and a node that publishes robots and states."""
+
+    def __init__(self, *arguments: str) -> None:
+        super().__init__(("--ros-args", "-p", "use_robot_description_topic:=true", *arguments))
+        self.user = self.add(Node("user"))
+        self.static: list[TFMessage] = []
+        self.moving: list[TFMessage] = []
+        self.user.create_subscription(TFMessage, "/tf_static", self.static.append, KEPT)
+        self.user.create_subscription(TFMessage, "/tf", self.moving.append, 100)
+        self.descriptions = self.user.create_publisher(String, "robot_description", KEPT)
+        self.states = self.user.create_publisher(JointState, "joint_states", 10)
+        self.publisher: Any = self.add(RobotStatePublisher())
+        self.run()
+
+
+def test_the_robot_comes_from_a_topic(capfd: pytest.CaptureFixture[str]) -> None:
+    with spun.staging(TopicStage) as start:
+        stage = start()
+        state = JointState(header=Header(stamp=Time(sec=1)), name=["j"], position=[0.5])
+        stage.states.publish(state)  # before there is a robot
+        assert stage.publisher.set_parameters_atomically([Parameter("frame_prefix", value="x/")]).successful
+        stage.run()
+        assert stage.static == stage.moving == []
+        stage.descriptions.publish(String(data=robot(joint("j", "a", "b", "continuous"))))
+        stage.run()
+        stage.states.publish(state)
+        stage.run()
+        assert [transform.child_frame_id for transform in stage.moving[-1].transforms] == ["x/b"]
+        stage.descriptions.publish(String(data="<robot"))
+        stage.run()
+        assert "Ignored a description on robot_description" in capfd.readouterr().err
+        stage.descriptions.publish(String(data=robot(joint("j", "a", "c", "fixed"), links="ac")))
+        stage.run()
+        assert [transform.child_frame_id for transform in stage.static[-1].transforms] == ["x/c"]
+        assert stage.user.count_publishers("robot_description") == 1

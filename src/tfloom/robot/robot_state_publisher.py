@@ -7,9 +7,9 @@ import weakref
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from tfloom.interfaces.rcl_interfaces.msg import SetParametersResult
+from tfloom.interfaces.rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from tfloom.interfaces.sensor_msgs.msg import JointState
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -35,6 +35,7 @@ from tfloom.robot.mended_xml import decoded
 from tfloom.robot.robot_transforms import RobotTransforms
 from tfloom.robot.urdf import UrdfError, parse_urdf
 from tfloom.robot.urdf_faults import Remarks
+from tfloom.ros_imports import ros_distro
 from tfloom.ros_imports.ros_distro import removal
 from tfloom.rosidl import cdr
 
@@ -65,7 +66,8 @@ class RobotStatePublisher(Node):
     """Publishes the transforms of a robot's joints, and its description.
 
     Args:
-        files: Paths on the command line; the first is read if the parameter `robot_description` is empty.
+        files: Paths on the command line; the first is read if the parameter `robot_description` is empty. With
+            `use_robot_description_topic`, the robot comes from the topic `robot_description`, now or later, instead.
         context: The node's context; None: the default one.
         parameter_overrides: Values of parameters, before those of the command line.
 
@@ -86,7 +88,10 @@ class RobotStatePublisher(Node):
             "robot_state_publisher", context=context, parameter_overrides=list(parameter_overrides)
         )
         listen_to_parameter_events(self)
-        text = str(self.declare_parameter("robot_description", "").value) or self._from_file(files or [])
+        is_from_topic = self._takes_topic()
+        text = str(self.declare_parameter("robot_description", "").value)
+        if not text and not is_from_topic:
+            text = self._from_file(files or [])
         frequency = float(self.declare_parameter("publish_frequency", 20.0).value)
         if not 0.0 <= frequency <= MAX_RATE_HZ:
             self._stop("publish_frequency must be between 0 and 1000")
@@ -94,14 +99,17 @@ class RobotStatePublisher(Node):
         self.declare_parameter("frame_prefix", "")
         self._parsed: tuple[str, Description] | None = None
         try:
-            self._parse(text)
+            if text:
+                self._parse(text)
         except UrdfError as error:
             self._stop(f"{INVALID}: {error}")
         self._tf = self.create_publisher(TFMessage, "/tf", 100, qos_overriding_options=EVENT_OVERRIDING)
         self._tf_static = self.create_publisher(
             TFMessage, "/tf_static", ONE_KEPT, qos_overriding_options=STATIC_OVERRIDING
         )
-        self._description = self.create_publisher(String, "robot_description", ONE_KEPT)
+        self._description = (
+            None if is_from_topic else self.create_publisher(String, "robot_description", ONE_KEPT)
+        )
         self._states = self.create_subscription(
             JointState,
             "joint_states",
@@ -109,13 +117,36 @@ class RobotStatePublisher(Node):
             qos_profile_sensor_data,
             qos_overriding_options=QoSOverridingOptions.with_default_policies(),
         )
-        self._follow_parameters()
-        self._show_robot()
+        self._sink: Any = None
+        if text:
+            self._follow_parameters()
+            self._show_robot()
         self._jump_handle = self.get_clock().create_jump_callback(
             ANY_JUMP, post_callback=_weakly(self._follow_clock)
         )
         self.add_on_set_parameters_callback(self._check)
         self.add_post_set_parameters_callback(self._apply)
+        if is_from_topic:
+            self.create_subscription(String, "robot_description", self._take_description, ONE_KEPT)
+
+    def _takes_topic(self) -> bool:
+        """Declare `use_robot_description_topic`, which nodes have from Lyrical on, and return its value.
+
+        Before Lyrical it is declared if a value is given, so that a list of the parameters is Jazzy's.
+        """
+        name = "use_robot_description_topic"
+        if not (ros_distro.since("lyrical") or name in self._parameter_overrides):
+            return False
+        descriptor = ParameterDescriptor(
+            read_only=True, description="Take the robot from the topic robot_description"
+        )
+        return bool(self.declare_parameter(name, False, descriptor).value)
+
+    def _take_description(self, message: String) -> None:
+        """Make a published description that of the robot; one that is not valid changes nothing."""
+        result = self.set_parameters([Parameter("robot_description", value=message.data)])[0]
+        if not result.successful:
+            self.get_logger().error(f"Ignored a description on robot_description: {result.reason}")
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
         """Set all parameters, or none of them if one is rejected, with the reference's reason."""
@@ -177,10 +208,12 @@ class RobotStatePublisher(Node):
             self._follow_parameters()
         if "robot_description" in names:
             self._show_robot()
-        elif "frame_prefix" in names:
+        elif "frame_prefix" in names and self._sink is not None:
             self._publish_static()
 
     def _follow_parameters(self) -> None:
+        if not self.get_parameter("robot_description").value:  # none has come on the topic so far
+            return
         text, prefix, frequency, ignores = (
             self.get_parameter(name).value
             for name in ("robot_description", "frame_prefix", "publish_frequency", "ignore_timestamp")
@@ -205,7 +238,8 @@ class RobotStatePublisher(Node):
             if joint.type == "floating":
                 frames = f"from {joint.parent} to {joint.child}"
                 self.get_logger().info(f"Floating joint. Not adding segment {frames}.")
-        self._description.publish(String(data=text))
+        if self._description is not None:
+            self._description.publish(String(data=text))
         self._publish_static()
         self.get_logger().info("Robot initialized")
 
@@ -214,6 +248,8 @@ class RobotStatePublisher(Node):
 
     def _follow_clock(self, _: object = None) -> None:
         """Tell the sink the time while it is simulated, because native code can't read the node's clock."""
+        if self._sink is None:
+            return
         clock = self.get_clock()
         simulated = isinstance(clock, ROSClock) and clock.ros_time_is_active
         self._sink.set_simulated_time(clock.now().nanoseconds if simulated else None)

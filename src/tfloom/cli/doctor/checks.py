@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import tfloom
 from tfloom.cli.doctor.finding import Finding, Verdict
-from tfloom.cli.doctor.peers import check_peers, check_qos
+from tfloom.cli.doctor.peers import check_peers, check_qos, check_services
 from tfloom.cli.doctor.wires import check_other_wire
 from tfloom.cli.doctor.zenoh import WIRE, check_router, check_zenoh_reach, is_zenoh_selected
 from tfloom.common.terminal import shown_part
@@ -535,6 +535,7 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "round trip": check_round_trip,
     "peers": check_peers,
     "quality of service": check_qos,
+    "services": check_services,
     "other wire": check_other_wire,
     "names": check_names,
     "commands": check_commands,

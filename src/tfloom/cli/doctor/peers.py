@@ -1,7 +1,7 @@
 """The checks of `doctor` on the other participants of the domain.
 
 One is on vendor and version of their DDS, and what passes; one on qualities of service: which publishers and
-subscriptions of a topic don't connect.
+subscriptions of a topic don't connect; one lists services and actions.
 """
 
 from __future__ import annotations
@@ -10,8 +10,9 @@ from collections.abc import Iterator
 
 from tfloom.cli.doctor.finding import Finding, Verdict
 from tfloom.cli.doctor.zenoh import check_sessions, is_zenoh_selected
-from tfloom.rmw.base import EndpointInfo
+from tfloom.rmw.base import EndpointInfo, ServiceEndInfo
 from tfloom.rmw.errors import WireError
+from tfloom.rmw.typed_names import SEND_GOAL
 
 PEERS_TIMEOUT_S = 5.0
 """The longest wait for the nodes of other participants [s]."""
@@ -30,6 +31,8 @@ QOS_TIMEOUT_S = 5.0
 """The longest wait for the endpoints of other participants [s]."""
 MAX_PAIRS = 20
 """Pairs that are named, because a topic may have hundreds."""
+MAX_NAMES = 5
+"""Services that are named in one line."""
 
 
 def check_peers() -> Finding:
@@ -137,6 +140,39 @@ def check_qos() -> Finding:
     return Finding(verdict, f"{apart[0]}, so {consequence}{more}", advice, details)
 
 
+def check_services() -> Finding:
+    """List the services and actions of the domain, and name the services whose clients have no server."""
+    from tfloom.cli.service.queries import service_types
+    from tfloom.cli.shared.graph import settled_graph
+
+    try:
+        with settled_graph(QOS_TIMEOUT_S) as graph:
+            ends = graph.service_ends()
+    except WireError as error:
+        return Finding(Verdict.FAILED, str(error))
+    details = {}
+    unserved = []
+    for name, types in service_types(ends).items():
+        servers, clients = (
+            sorted(_node(end) for end in ends if end.name == name and end.is_server is is_server)
+            for is_server in (True, False)
+        )
+        if not servers:
+            unserved.append(name)
+        sides = [
+            f"{side} {', '.join(nodes)}"
+            for side, nodes in (("servers", servers), ("clients", clients))
+            if nodes
+        ]
+        details[name] = f"{', '.join(types)}; {'; '.join(sides)}"
+    action_count = sum(name.endswith(SEND_GOAL) for name in details)
+    summary = f"services: {len(details)}, of which {action_count} begin goals of actions"
+    if unserved:
+        shown = ", ".join(unserved[:MAX_NAMES]) + (", …" if len(unserved) > MAX_NAMES else "")
+        summary += f"; clients wait for a server of {shown}"
+    return Finding(Verdict.OK, summary, details=details)
+
+
 def _apart(topic: str, writers: list[EndpointInfo], readers: list[EndpointInfo]) -> Iterator[str]:
     from tfloom.rmw.shared.qos_mismatch import differences
 
@@ -146,5 +182,5 @@ def _apart(topic: str, writers: list[EndpointInfo], readers: list[EndpointInfo])
                 yield f"{topic}: {_node(writer)} {_node(reader, 'and ')}: {'; '.join(texts)}"
 
 
-def _node(end: EndpointInfo, before: str = "") -> str:
+def _node(end: EndpointInfo | ServiceEndInfo, before: str = "") -> str:
     return before + ("an unknown node" if end.node is None else end.node.full)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from tfloom.node.base.node_names import NodeNames
     from tfloom.rmw.base import EndpointInfo, Graph, ServiceEndInfo
 
-__all__ = ["NamesAndTypes", "NodeGraph", "actions_of_topics"]
+__all__ = ["NamesAndTypes", "NodeGraph", "actions_of_topics", "service_endpoints"]
 
 NamesAndTypes = list[tuple[str, list[str]]]
 _POLL_PERIOD_S = 0.02
@@ -157,25 +157,31 @@ class NodeGraph:
         self, name: str, *, is_server: bool, no_mangle: bool = False
     ) -> list[ServiceEndpointInfo]:
         """Return the servers, or the clients, of a service; `no_mangle`: by the name of its topic of requests."""
-        raw = self.wire_graph.raw_endpoints()
-        if no_mangle:
-            gids = {info.gid for info in raw if info.topic.name == name}
-            ends = [info for info in self.wire_graph.service_ends() if info.gid in gids]
-        else:
-            ends = [info for info in self.wire_graph.service_ends() if info.name == name]
-        ends = [info for info in ends if info.is_server == is_server]
-        if not ends:
-            return []
-        # A server writes its responses, a client reads them.
-        topic = response_topic(Service(ends[0].name, ends[0].type_name)).name
-        responses = [info for info in raw if info.topic.name == topic and info.is_writer == is_server]
-        return [
-            ServiceEndpointInfo.from_graph(end, response)
-            for end, response in _with_responses(ends, responses)
-        ]
+        return service_endpoints(self.wire_graph, name, is_server=is_server, no_mangle=no_mangle)
 
     def _all_endpoints(self, is_raw: bool) -> list[EndpointInfo]:
         return self.wire_graph.raw_endpoints() if is_raw else self.wire_graph.endpoints()
+
+
+def service_endpoints(
+    graph: Graph, name: str, *, is_server: bool, no_mangle: bool = False
+) -> list[ServiceEndpointInfo]:
+    """Return the servers, or the clients, of a service on a graph; see `NodeGraph.service_endpoints`."""
+    raw = graph.raw_endpoints()
+    if no_mangle:
+        gids = {info.gid for info in raw if info.topic.name == name}
+        ends = [info for info in graph.service_ends() if info.gid in gids]
+    else:
+        ends = [info for info in graph.service_ends() if info.name == name]
+    ends = [info for info in ends if info.is_server == is_server]
+    if not ends:
+        return []
+    # A server writes its responses, a client reads them.
+    topic = response_topic(Service(ends[0].name, ends[0].type_name)).name
+    responses = [info for info in raw if info.topic.name == topic and info.is_writer == is_server]
+    return [
+        ServiceEndpointInfo.from_graph(end, response) for end, response in _with_responses(ends, responses)
+    ]
 
 
 def _with_responses(
