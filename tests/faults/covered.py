@@ -6,6 +6,7 @@ OWN = "- of the library itself: it is given a function of ours"
 OF_A_TEST = "- of a test: its exception fails that test"
 OF_THE_CALLER = "- called at once, for the caller, who gets the exception"
 NOT_CALLED = "- removed, or refused: it is not called"
+OF_A_GROUP = "- no executor calls it: its exception ends the node, see tests/node/test_async_node.py"
 RARE = "- an event handler as the others: the wires lose no message that a test could provoke"
 
 _BY_FILE: dict[str, dict[str, str]] = {
@@ -151,6 +152,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "Service.__init__(callback)": "service",
     },
     "node.endpoints.subscription": {
+        "Subscription.filter_samples(accepts)": OWN,
         "Subscription.__init__(callback)": "subscription",
         "Subscription.__init__(event_callbacks)": "matched_of_subscription",
     },
@@ -174,6 +176,11 @@ _BY_FILE: dict[str, dict[str, str]] = {
     "node.executing.executor": {
         "Executor.wait_for_ready_callbacks(condition)": OF_THE_CALLER,
         "Executor.run_waiting(then)": OWN,
+    },
+    "node.async_node": {
+        "AsyncNode.create_service(callback)": OF_A_GROUP,
+        "AsyncNode.create_subscription(callback)": OF_A_GROUP,
+        "AsyncNode.create_timer(callback)": OF_A_GROUP,
     },
     "node.executing.executors": {
         "await_or_execute(callback)": "task_coroutine",

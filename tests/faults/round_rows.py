@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import sys
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -540,10 +542,57 @@ def filters(world: World) -> None:
     node.destroy_node()
 
 
+@covers(
+    *("AsyncNode.create_client", "AsyncNode.create_publisher", "AsyncNode.create_service"),
+    *(
+        "AsyncNode.create_subscription",
+        "AsyncNode.create_timer",
+        "AsyncNode.wait_for_node",
+        "AsyncClock.sleep",
+    ),
+    *("AsyncClient.__init__", "AsyncClient.call", "AsyncClient.wait_for_service", "AsyncClock.__init__"),
+    *(
+        "AsyncPublisher.__init__",
+        "AsyncService.__init__",
+        "AsyncSubscription.__init__",
+        "AsyncTimer.__init__",
+    ),
+)
+def async_node(world: World) -> None:
+    if sys.version_info < (3, 11):
+        return
+    from tfloom.node.async_node import AsyncNode
+
+    async def use_all() -> None:
+        node = AsyncNode("brief", context=world.context)
+        received = asyncio.Event()
+        node.create_subscription(String, "~/text", lambda _: received.set(), 10)
+        publisher = node.create_publisher(String, "~/text", 10)
+        node.create_service(SetBool, "~/switch", lambda _, response: response)
+        client = node.create_client(SetBool, "~/switch")
+        ticked = asyncio.Event()
+        node.create_timer(0.001, ticked.set)
+        async with node:
+            await node.wait_for_node("/brief", 0.01)
+            await client.wait_for_service(0.01)
+            await client.call(SetBool.Request())
+            while not received.is_set():
+                publisher.publish(String())
+                await node.get_clock().sleep(0.001)
+            await ticked.wait()
+
+    asyncio.run(use_all())
+
+
 LOCAL = "- asks what is there: it neither waits nor creates"
 ABSTRACT = "- raises: derived classes have it"
 INTERNAL = "- tfloom's own: called by the rows"
 OFF = {
+    "BaseClient.__init__": ABSTRACT,
+    "BasePublisher.__init__": ABSTRACT,
+    "BaseService.__init__": ABSTRACT,
+    "BaseSubscription.__init__": ABSTRACT,
+    "BaseTimer.__init__": ABSTRACT,
     "Executor.spin_on_own_thread": INTERNAL,
     "ActionClient.send_goal": "- waits as `Client.call` does, of which `tests/node/test_action.py` has a test",
     "QoSEventHandler.__init__": "- the deprecated name of `EventHandler`",

@@ -19,6 +19,7 @@ From the bottom up:
 - wait_for_message: one message of a topic
 - action/: actions: client, server, goals
 - lifecycle/: nodes with a lifecycle
+- async_node: nodes on asyncio, without an executor
 
 The errors that several rooms raise are in `values/exceptions.py`; each other error is in the file that raises it.
 

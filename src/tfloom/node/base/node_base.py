@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar, overload
 
 from tfloom.common.seconds import checked_timeout, not_a_number, to_nanoseconds, too_long
 from tfloom.interfaces.rcl_interfaces import msg as rcl_msg
+from tfloom.node.base.base_classes import BaseNode
 from tfloom.node.base.node_entities import NodeEntities
 from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph, actions_of_topics
 from tfloom.node.base.node_names import NodeNames
@@ -1222,6 +1223,9 @@ class NodeBase:
     ) -> WireEndpoint:
         """As `open_endpoint`."""
         return self.__entities.open(endpoint, create)
+
+
+BaseNode.register(NodeBase)
 
 
 def as_profile(qos_profile: QoSProfile | int) -> QoSProfile:

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
         | Callable[[MsgType, dict[str, Any]], Any]
     )
 
-__all__ = ["MessageInfo", "MsgType", "PublisherGID", "Subscription"]
+__all__ = ["MessageInfo", "MsgType", "PublisherGID", "Subscription", "callback_error", "takes_count"]
 
 _VAR_POSITIONAL = 0x04
 """The flag of a code object that takes `*args`."""
@@ -117,7 +117,7 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
     def callback(self, callback: Callable[..., Any]) -> None:
         if (error := callback_error(callback)) is not None:
             raise error
-        takes_message = _takes(callback, 1)
+        takes_message = takes_count(callback, 1)
         kinds = Subscription.CallbackType
         self._callback_type = kinds.MessageOnly if takes_message else kinds.WithMessageInfo
         self._callback = callback
@@ -317,7 +317,7 @@ def _message_info(sample: Sample) -> MessageInfo:
 def callback_error(callback: Any) -> RuntimeError | None:
     """Return the error of a subscription's callback that takes neither one argument nor two."""
     if callable(callback):
-        if _takes(callback, 1) or _takes(callback, 2):
+        if takes_count(callback, 1) or takes_count(callback, 2):
             return None
         given = f"got {callback!r}"
     else:
@@ -328,7 +328,7 @@ def callback_error(callback: Any) -> RuntimeError | None:
     )
 
 
-def _takes(callback: Callable[..., Any], count: int) -> bool:
+def takes_count(callback: Callable[..., Any], count: int) -> bool:
     """Return whether `callback` can be called with `count` positional arguments; True if its signature is unknown."""
     function = callback.__func__ if isinstance(callback, MethodType) else callback
     if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
