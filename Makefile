@@ -32,6 +32,7 @@ help: ## print this
 #> -m tests.ros_peer.compare KIND       compare with the real rclpy on random cases; --count 2000 --seed 0
 #> -m tests.planted_mistakes --seed 1   plant mistakes, and print which ones no test finds
 #> -m tests.fuzz.test_fuzz all 10000    fuzz what is read from outside; -m tests.native.test_fuzz fuzz_tf 60
+#> tools/moving_picture.py GIF          record README's moving picture, in Debian's Chromium
 #> tools/plots.py TEXT SVG              draw the picture of docs/fast.md from what `-m benchmarks tf2` prints
 #>
 #> .ci/run                              run the CI
