@@ -2,16 +2,110 @@
 
 from __future__ import annotations
 
+import gzip
 import importlib
+import json
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from docs import rclpy_api
 from tests.conftest import run_to_end
 from tests.recorded_signatures import differences, signature_differences
-from tools.facades.recorded import Name, all_names, is_of, is_only_imported, missing, reason_for
+from tools.facades.recorded import (
+    Name,
+    all_names,
+    is_of,
+    is_only_imported,
+    missing,
+    names_of,
+    reason_for,
+)
+
+KILTED = Path(__file__).with_name("golden") / "api_kilted.json.gz"
+"""The names of rclpy 9.1.2, recorded by `tests/oracles/record_rclpy_names.py` from its wheel of Kilted."""
+TYPES_OF_A_FILE = "for annotations within the file of the original alone"
+DIFFERENT_FROM_KILTED = {
+    "rclpy.InitContextManager()": "`init` creates it; the constructor has other parameters",
+    "rclpy.try_shutdown": "it leaves signal handlers alone, as in Jazzy; there is no uninstall_handlers",
+    "rclpy.action.client.SendGoalKWargs": TYPES_OF_A_FILE,
+    "rclpy.action.client.T": TYPES_OF_A_FILE,
+    "rclpy.executors.T": TYPES_OF_A_FILE,
+    "rclpy.task.T": TYPES_OF_A_FILE,
+    "rclpy.waitable.T": TYPES_OF_A_FILE,
+    "rclpy.lifecycle.node.CreateLifecyclePublisherArgs": TYPES_OF_A_FILE,
+    "rclpy.lifecycle.node.LifecycleNodeArgs": TYPES_OF_A_FILE,
+    "rclpy.node.Node.ParameterInput": TYPES_OF_A_FILE,
+    "rclpy.type_hash.TypeHashDictionary": TYPES_OF_A_FILE,
+    "rclpy.type_support.CommonMsgSrvMetaClass": TYPES_OF_A_FILE,
+    "rclpy.type_support.MsgMetaClass": TYPES_OF_A_FILE,
+    "rclpy.type_support.PyCapsule": TYPES_OF_A_FILE,
+    "rclpy.qos.LivelinessPolicy.RMW_QOS_POLICY_DURABILITY_UNKNOWN": "a slip in the original",
+    "rclpy.qos.QoSLivelinessPolicy.RMW_QOS_POLICY_DURABILITY_UNKNOWN": "a slip in the original",
+    "rclpy.action.server.ActionServer()": "result_timeout is that of the distribution in force",
+}
+"""Patterns as in `missing.txt`, which holds here, too, with their reasons."""
+
+DEPENDING_ON_THE_DISTRIBUTION = {"rclpy.action.server.ActionServer()"}
+"""The rows that are needed only under another distribution than Kilted."""
+
+OF_LYRICAL = {
+    "rclpy.action.client.ActionClient": (
+        "(self, node, action_type, action_name, *, enable_feedback_msg_optimization=False)"
+    ),
+    "rclpy.action.client.ActionClient.configure_introspection": (
+        "(self, clock, service_event_qos_profile, introspection_state)"
+    ),
+    "rclpy.client.BaseClient": "",
+    "rclpy.clock.BaseClock": "",
+    "rclpy.endpoint_info.EndpointTypeEnum": "",
+    "rclpy.endpoint_info.ServiceEndpointInfo": "",
+    "rclpy.endpoint_info.TopicEndpointInfo": "",
+    "rclpy.exceptions.TimeSourceChangedError": "",
+    "rclpy.executors.Executor.is_spinning": "property",
+    "rclpy.experimental.AsyncClient.call": "(self, request)",
+    "rclpy.experimental.AsyncClient.wait_for_service": "(self, check_interval=0.1)",
+    "rclpy.experimental.AsyncClock.sleep": "(self, seconds)",
+    "rclpy.experimental.AsyncNode.create_client": "(self, srv_type, srv_name, *, qos_profile)",
+    "rclpy.experimental.AsyncNode.create_publisher": "(self, msg_type, topic, qos_profile)",
+    "rclpy.experimental.AsyncNode.create_service": (
+        "(self, srv_type, srv_name, callback, *, qos_profile, concurrent=False)"
+    ),
+    "rclpy.experimental.AsyncNode.create_subscription": (
+        "(self, msg_type, topic, callback, qos_profile, *, raw=False, concurrent=False, content_filter_options=None)"
+    ),
+    "rclpy.experimental.AsyncNode.create_timer": "(self, timer_period_sec, callback, autostart=True)",
+    "rclpy.experimental.AsyncNode.destroy_node": "(self)",
+    "rclpy.experimental.AsyncNode.run": "(self)",
+    "rclpy.experimental.AsyncNode.wait_for_node": "(self, fully_qualified_node_name, check_interval=0.1)",
+    "rclpy.experimental.AsyncPublisher": "",
+    "rclpy.experimental.AsyncService": "",
+    "rclpy.experimental.AsyncSubscription": "",
+    "rclpy.experimental.AsyncTimer": "",
+    "rclpy.node.BaseNode": "",
+    "rclpy.node.Node.create_subscription": (
+        "(self, msg_type, topic, callback, qos_profile, *, content_filter_options=None, "
+        "acceptable_buffer_backends=None)"
+    ),
+    "rclpy.node.Node.get_action_client_names_and_types_by_node": "(self, node_name, node_namespace)",
+    "rclpy.node.Node.get_action_names_and_types": "(self)",
+    "rclpy.node.Node.get_action_server_names_and_types_by_node": "(self, node_name, node_namespace)",
+    "rclpy.node.Node.get_clients_info_by_service": "(self, service_name, no_mangle=False)",
+    "rclpy.node.Node.get_servers_info_by_service": "(self, service_name, no_mangle=False)",
+    "rclpy.parameter_event_handler.ParameterEventHandler.configure_nodes_filter": "(self, node_names=None)",
+    "rclpy.publisher.BasePublisher": "",
+    "rclpy.service.BaseService": "",
+    "rclpy.subscription.BaseSubscription": "",
+    "rclpy.subscription.MessageInfo": "",
+    "rclpy.subscription.PublisherGID": "",
+    "rclpy.subscription.Subscription.is_cft_supported": "property",
+    "rclpy.time.Time.to_datetime": "(self)",
+    "rclpy.timer.BaseTimer": "",
+    "rclpy.type_support.ImplT": "",
+}
+"""Names that Lyrical adds to those of Kilted, with their parameters. There is no wheel to record them from."""
 
 NAMES = all_names()
 REASONS = missing()
@@ -137,3 +231,50 @@ def test_page_of_the_site_is_made_without_tfloom() -> None:
     )
     assert "| `ParameterEventHandler.Callbacks()` | an internal of rclpy |" in lines
     assert result.stdout == rclpy_api.page() + "\n"
+
+
+def names_of_kilted() -> list[Name]:
+    with gzip.open(KILTED, "rt", encoding="utf-8") as file:
+        modules: dict[str, Any] = json.load(file)
+    return [name for module, entries in sorted(modules.items()) for name in names_of(module, entries)]
+
+
+@pytest.mark.filterwarnings(
+    "ignore::DeprecationWarning", "ignore::UserWarning"
+)  # of names that are deprecated
+def test_names_of_kilted_exist_but_for_the_rows() -> None:
+    names = names_of_kilted()
+    assert len(names) > 600
+    # The rows for Jazzy are about the same objects.
+    known = [name for name in names if any(is_of(name, pattern) for pattern in REASONS)]
+    different = {name: list(differences(name)) for name in names if name not in known}
+    found = {name: amiss for name, amiss in different.items() if amiss}
+    without_row = [
+        f"{name.full}: {amiss}"
+        for name, amiss in found.items()
+        if not any(is_of(name, pattern) for pattern in DIFFERENT_FROM_KILTED)
+    ]
+    assert not without_row, "\n".join(without_row)
+    unneeded = [
+        pattern
+        for pattern in DIFFERENT_FROM_KILTED
+        if pattern not in DEPENDING_ON_THE_DISTRIBUTION and not any(is_of(name, pattern) for name in found)
+    ]
+    assert not unneeded, f"take these rows out, because nothing differs there any more: {unneeded}"
+
+
+@pytest.mark.filterwarnings(
+    "ignore::DeprecationWarning", "ignore::UserWarning"
+)  # of names that are deprecated
+@pytest.mark.skipif(sys.version_info < (3, 11), reason="AsyncNode needs asyncio.TaskGroup")
+def test_names_of_lyrical_exist() -> None:
+    amiss: list[str] = []
+    for full, signature in OF_LYRICAL.items():
+        # Modules have small letters, and the first name in one a capital.
+        parts = full.split(".")
+        count = next(number for number, part in enumerate(parts) if part != part.lower())
+        module, path = ".".join(parts[:count]), ".".join(parts[count:])
+        kind = "method" if "." in path and signature.startswith("(") else ("class" if signature else "value")
+        kind = "property" if signature == "property" else kind
+        amiss += [f"{full}: {difference}" for difference in differences(Name(module, path, kind, signature))]
+    assert not amiss, "\n".join(amiss)

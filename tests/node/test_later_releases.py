@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import signal
 import threading
 from collections.abc import Callable
 from datetime import datetime, timedelta
@@ -16,11 +17,13 @@ from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.node import client_library
 from tfloom.node.action.client import ActionClient
 from tfloom.node.action.server import ActionServer, ServerGoalHandle
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.task import Future, FutureState
 from tfloom.node.executing.timer import TimerInfo, info_parameter
 from tfloom.node.lifecycle.managed_entity import LifecyclePublisher
@@ -392,3 +395,14 @@ def test_a_lifecycle_publisher_of_ones_own_class(context: Context) -> None:
         with pytest.raises(TypeError, match="a publisher_class that derives from LifecyclePublisher"):
             node.create_lifecycle_publisher(String, "c", 1, publisher_class=wrong)  # type: ignore[arg-type]
     node.destroy_node()
+
+
+@pytest.mark.parametrize("options", [SignalHandlerOptions.NO, SignalHandlerOptions.SIGINT])
+def test_init_tells_whether_it_has_installed_handlers(options: SignalHandlerOptions) -> None:
+    context = Context()
+    before = signal.getsignal(signal.SIGINT)
+    with client_library.init(args=[], context=context, signal_handler_options=options) as started:
+        assert started.context is context
+        assert started.installed_signal_handlers is (options != SignalHandlerOptions.NO)
+    assert signal.getsignal(signal.SIGINT) == before
+    assert not context.ok()

@@ -65,9 +65,11 @@ set_ros_environment()
 class InitContextManager:
     """The result of `init`: a context manager that shuts the context down on exit."""
 
-    def __init__(self, context: Context, *, uninstall_handlers: bool) -> None:
+    def __init__(self, context: Context, *, installed_signal_handlers: bool) -> None:
         self.context = context
-        self._uninstall_handlers = uninstall_handlers
+        """The context that was initialised."""
+        self.installed_signal_handlers = installed_signal_handlers
+        """Whether `init` has installed handlers of signals, which the exit removes."""
 
     def __enter__(self) -> Self:
         return self
@@ -77,7 +79,7 @@ class InitContextManager:
     ) -> None:
         is_default = self.context is get_default_context()
         try_shutdown(context=None if is_default else self.context)
-        if self._uninstall_handlers:
+        if self.installed_signal_handlers:
             leave_signal_handlers()
 
 
@@ -111,7 +113,9 @@ def init(
     context = context or get_default_context()
     context.init(args, domain_id=domain_id)
     install_signal_handlers(signal_handler_options)
-    return InitContextManager(context, uninstall_handlers=signal_handler_options != SignalHandlerOptions.NO)
+    return InitContextManager(
+        context, installed_signal_handlers=signal_handler_options != SignalHandlerOptions.NO
+    )
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
