@@ -167,6 +167,37 @@ def test_files_are_split_where_they_must_be(is_written_at_once: bool, tmp_path: 
     assert splits == [("bag_0.mcap", "bag_1.mcap"), ("bag_1.mcap", "bag_2.mcap")]
 
 
+@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+def test_only_the_newest_files_are_kept(
+    storage_id: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    suffix = "mcap" if storage_id == "mcap" else "db3"
+    settings = WriterSettings(storage_id, max_file_duration_ns=10 * STEP_NS, max_files=2)
+    writer = BagWriter(tmp_path / "bag", settings)
+    channel = writer.add_topic(CHATTER)
+    for number in range(36):
+        push(writer, channel, number)
+        writer.write_present()
+    assert sorted(path.name for path in (tmp_path / "bag").glob(f"*.{suffix}")) == [
+        f"bag_2.{suffix}",
+        f"bag_3.{suffix}",
+    ]
+    # A file that can't be deleted stays in the bag, and goes with the next one.
+    with monkeypatch.context() as broken:
+        broken.setattr(Path, "unlink", raising(PermissionError(errno.EACCES, "Permission denied")))
+        writer.split()
+    assert "bag_2" in capfd.readouterr().err
+    assert writer.info().files[0].path == f"bag_2.{suffix}"
+    writer.split()
+    push(writer, channel, 36)
+    writer.close()
+    found = read_metadata(tmp_path / "bag")
+    assert [file.path for file in found.files] == [f"bag_4.{suffix}", f"bag_5.{suffix}"]
+    assert found.message_count == sum(topic.message_count for topic in found.topics) == 1
+    with open_bag(tmp_path / "bag") as bag:
+        assert bag.message_count == 1
+
+
 def test_custom_data_and_odd_names_are_kept(tmp_path: Path) -> None:
     custom = {"robot": "Ä: 1", "empty": "", "number": "012", "line": "a\nb", "hash": "a # b", "No": "null"}
     custom |= {

@@ -36,6 +36,10 @@ def parameters(signature: str) -> list[str]:
     return [name for part in flat.split(",") if (name := part.partition(":")[0].strip())]
 
 
+LATER = {"StorageFilter": ["actions", "exclude_actions"], "StorageOptions": ["max_bag_files"]}
+"""Parameters that Kilted and Lyrical have after those of Jazzy."""
+
+
 def test_names_and_parameters_are_the_recorded_ones() -> None:
     wrong = []
     for name, members in API.items():
@@ -47,6 +51,7 @@ def test_names_and_parameters_are_the_recorded_ones() -> None:
                 expected = parameters(text)
                 if expected and "*args" not in text and not text.count("value: int"):
                     ours = list(inspect.signature(found.__init__).parameters)
+                    expected += LATER.get(name, [])
                     wrong += (
                         [(name, ours, expected)]
                         if ours not in (expected, [*expected, "args", "kwargs"])

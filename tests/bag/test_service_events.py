@@ -15,6 +15,7 @@ from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
 from tfloom.bag.writing.bag_writer import WriterSettings
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
+from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
 from tfloom.node.executing.executors import SingleThreadedExecutor
@@ -70,3 +71,43 @@ def test_requests_are_recorded_and_sent_again(local_context: Context, tmp_path: 
                 player.stop()
                 player.destroy_node()
                 assert sums == expected
+
+
+ACTION_TOPICS = [
+    *(f"/fibonacci/_action/{part}" for part in ("feedback", "status")),
+    *(f"/fibonacci/_action/{part}/_service_event" for part in ("send_goal", "cancel_goal", "get_result")),
+]
+
+
+def test_an_action_is_its_topics_and_the_events_of_its_services() -> None:
+    named = TopicChoice(actions=["/fibonacci"])
+    assert all(named.wants(topic, "any_Event") for topic in ACTION_TOPICS)
+    assert not named.wants("/fibonacci", "std_msgs/msg/String")
+    assert not named.wants("/other/_action/feedback", "any")
+    assert not named.is_by_name_only
+    everything = TopicChoice(
+        all_topics=True, all_services=True, all_actions=True, exclude_actions=["/fibonacci"]
+    )
+    assert not any(everything.wants(topic, "any_Event") for topic in ACTION_TOPICS)
+    assert everything.wants("/other/_action/status", "any")
+    assert not TopicChoice(all_actions=True, exclude_regex="fib").wants(ACTION_TOPICS[0], "any")
+    # Those of a service of an action may be wanted as such, too.
+    assert TopicChoice(services=["/fibonacci/_action/send_goal"]).wants(ACTION_TOPICS[2], "any_Event")
+    assert not TopicChoice(services=["/fibonacci/_action/send_goal"]).wants(ACTION_TOPICS[0], "any")
+
+
+def test_a_named_action_is_recorded_although_its_topics_are_hidden(
+    local_context: Context, tmp_path: Path
+) -> None:
+    node = Node("server", context=local_context)
+    publishers = [node.create_publisher(String, topic, 10) for topic in (*ACTION_TOPICS[:2], "/other")]
+    options = RecordOptions(TopicChoice(actions=["/fibonacci"]), has_keyboard=False)
+    recorder = Recorder(tmp_path / "bag", WriterSettings(), options, context=local_context)
+    recorder.start()
+    for publisher in publishers:
+        publisher.publish(String(data="x"))
+    recorder.stop()
+    recorder.destroy_node()
+    with open_bag(tmp_path / "bag") as bag:
+        assert sorted(bag.topics) == ACTION_TOPICS[:2]
+        assert bag.message_count == 2

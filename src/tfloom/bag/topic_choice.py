@@ -1,4 +1,4 @@
-"""Which topics are recorded or played: names, types, services, regular expressions, exclusions."""
+"""Which topics are recorded or played: names, types, services, actions, regular expressions, exclusions."""
 
 from __future__ import annotations
 
@@ -6,10 +6,24 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-__all__ = ["SERVICE_EVENT_SUFFIX", "TopicChoice", "full_names", "is_service_event", "service_of_event"]
+from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS
+
+__all__ = [
+    "SERVICE_EVENT_SUFFIX",
+    "TopicChoice",
+    "action_of",
+    "full_names",
+    "is_service_event",
+    "service_of_event",
+]
 
 SERVICE_EVENT_SUFFIX = "/_service_event"
 _EVENT_TYPE_SUFFIX = "_Event"
+_ACTION_SUFFIXES = (
+    FEEDBACK,
+    STATUS,
+    *(service + SERVICE_EVENT_SUFFIX for service in (SEND_GOAL, CANCEL_GOAL, GET_RESULT)),
+)
 
 
 def full_names(names: Iterable[str]) -> list[str]:
@@ -27,6 +41,12 @@ def service_of_event(topic: str) -> str:
     return topic.removesuffix(SERVICE_EVENT_SUFFIX)
 
 
+def action_of(topic: str) -> str:
+    """Return the action whose topic this is, one of its feedback, its status or its services' events; "" if none."""
+    suffix = next((suffix for suffix in _ACTION_SUFFIXES if topic.endswith(suffix)), "")
+    return topic.removesuffix(suffix) if suffix else ""
+
+
 @dataclass
 class TopicChoice:
     """What is wanted, by full names; nothing at first. Exclusions apply to all of it.
@@ -38,13 +58,16 @@ class TopicChoice:
     topics: Sequence[str] = ()
     topic_types: Sequence[str] = ()
     services: Sequence[str] = ()
+    actions: Sequence[str] = ()
     all_topics: bool = False
     all_services: bool = False
+    all_actions: bool = False
     regex: str = ""
     exclude_regex: str = ""
     exclude_topics: Sequence[str] = ()
     exclude_topic_types: Sequence[str] = ()
     exclude_services: Sequence[str] = ()
+    exclude_actions: Sequence[str] = ()
     is_whole_match: bool = False
     """Whether expressions must match whole names; otherwise a part of them."""
     _compiled: dict[str, re.Pattern[str]] = field(default_factory=dict, repr=False)
@@ -52,29 +75,42 @@ class TopicChoice:
     @property
     def is_by_name_only(self) -> bool:
         """Whether all that is wanted is listed by name."""
-        return not (self.all_topics or self.all_services or self.regex or self.topic_types)
+        is_open = self.all_topics or self.all_services or self.all_actions or self.regex or self.topic_types
+        # An action that is named has topics that may appear later, as the events of its services.
+        return not (is_open or self.actions)
 
     def wanted_names(self) -> set[str]:
         """Return the topics that are listed by name, those of services' events included."""
         return {*self.topics, *(service + SERVICE_EVENT_SUFFIX for service in self.services)}
 
     def wants(self, topic: str, type_name: str) -> bool:
-        """Return whether a topic is wanted."""
+        """Return whether a topic is wanted: by itself, as the events of a service, or as a part of an action."""
+        action = action_of(topic)
+        if action in self.exclude_actions or self._matches(
+            self.exclude_regex, *filter(None, [action]), topic
+        ):
+            return False
+        if self.wants_as_action(topic):
+            return True
         if is_service_event(topic, type_name):
             service = service_of_event(topic)
-            if service in self.exclude_services or self._matches(self.exclude_regex, service, topic):
+            if service in self.exclude_services or self._matches(self.exclude_regex, service):
                 return False
             return self.all_services or service in self.services or self._matches(self.regex, service, topic)
-        if topic in self.exclude_topics or type_name in self.exclude_topic_types:
-            return False
-        if self._matches(self.exclude_regex, topic):
-            return False
-        return (
+        is_excluded = topic in self.exclude_topics or type_name in self.exclude_topic_types
+        return not is_excluded and (
             self.all_topics
             or topic in self.topics
             or type_name in self.topic_types
             or self._matches(self.regex, topic)
         )
+
+    def wants_as_action(self, topic: str) -> bool:
+        """Return whether a topic is wanted for the action that it is a part of, though its name is a hidden one."""
+        action = action_of(topic)
+        if not action or action in self.exclude_actions:
+            return False
+        return self.all_actions or action in self.actions
 
     def _matches(self, expression: str, *names: str) -> bool:
         if not expression:

@@ -72,6 +72,8 @@ TURTLESIM_PACKAGE = _choice(jazzy="turtlesim", kilted="turtlesim_msgs", lyrical=
 """The package in the names of turtlesim's types."""
 BAG_FILES_HAVE_TIMES = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether a bag's files are `0_bag_2026_05_23-10_00_00.mcap`; otherwise `bag_0.mcap`."""
+ALL_RECORDS_ACTIONS = _choice(jazzy=False, kilted=True, lyrical=True)
+"""Whether `ros2 bag record --all` records actions, too: their feedback and status are hidden topics."""
 READS_FLOAT_TAG = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether `!!float 10` in a file of parameters is a double; otherwise an integer."""
 

@@ -185,7 +185,8 @@ class RecordedTopics:
         if self._options.ignore_leaf_topics and not topic_info.has_subscription:
             return False
         is_named = name in self._options.choice.wanted_names()
-        is_shown = is_named or self._options.include_hidden_topics or is_service_event(name, type_name)
+        is_of_other = is_service_event(name, type_name) or self._options.choice.wants_as_action(name)
+        is_shown = is_named or self._options.include_hidden_topics or is_of_other
         if "/_" in name and not is_shown:
             self._warn_of_hidden()
             return False

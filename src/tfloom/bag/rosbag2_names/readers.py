@@ -23,6 +23,7 @@ from tfloom.bag.rosbag2_names.storage import (
     TopicMetadata,
     options_error,
 )
+from tfloom.bag.topic_choice import action_of
 from tfloom.bag.values import RawMessage
 from tfloom.bag.writing.storage import STORAGES
 
@@ -204,13 +205,16 @@ class SequentialReader:
 
     def _is_wanted(self, topic: str) -> bool:
         asked = self._filter
+        action = action_of(topic)
         if topic in asked.exclude_topics or topic in asked.exclude_service_events:
+            return False
+        if action and action in asked.exclude_actions:
             return False
         if asked.regex_to_exclude and re.search(asked.regex_to_exclude, topic):
             return False
-        if not (asked.topics or asked.services_events or asked.regex):
+        if not (asked.topics or asked.services_events or asked.actions or asked.regex):
             return True
-        is_named = topic in asked.topics or topic in asked.services_events
+        is_named = topic in asked.topics or topic in asked.services_events or action in asked.actions
         return is_named or bool(asked.regex and re.search(asked.regex, topic))
 
 

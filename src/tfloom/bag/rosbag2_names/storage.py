@@ -59,6 +59,7 @@ class StorageOptions:
     start_time_ns: int = -1
     end_time_ns: int = -1
     custom_data: dict[str, str] = field(default_factory=dict)
+    max_bag_files: int = 0
 
 
 @dataclass
@@ -80,7 +81,7 @@ def options_error(call: str, storage: object, converter: object) -> TypeError | 
 
 @dataclass
 class StorageFilter:
-    """Which topics are read; all, unless topics, events of services or an expression are given."""
+    """Which topics are read; all, unless topics, events of services, actions or an expression are given."""
 
     topics: list[str] = field(default_factory=list)
     services_events: list[str] = field(default_factory=list)
@@ -88,6 +89,8 @@ class StorageFilter:
     exclude_topics: list[str] = field(default_factory=list)
     exclude_service_events: list[str] = field(default_factory=list)
     regex_to_exclude: str = ""
+    actions: list[str] = field(default_factory=list)
+    exclude_actions: list[str] = field(default_factory=list)
 
 
 class ReadOrderSortBy(IntEnum):

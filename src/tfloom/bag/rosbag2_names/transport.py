@@ -40,13 +40,16 @@ class RecordOptions:
     def __init__(self) -> None:
         self.all_topics = False
         self.all_services = False
+        self.all_actions = False
         self.is_discovery_disabled = False
         self.topics: list[str] = []
         self.topic_types: list[str] = []
         self.services: list[str] = []
+        self.actions: list[str] = []
         self.exclude_topics: list[str] = []
         self.exclude_topic_types: list[str] = []
         self.exclude_service_events: list[str] = []
+        self.exclude_actions: list[str] = []
         self.rmw_serialization_format = ""
         self.topic_polling_interval = timedelta(milliseconds=100)
         self.regex = ""
@@ -71,13 +74,16 @@ class RecordOptions:
             topics=full_names(self.topics),
             topic_types=self.topic_types,
             services=_services(self.services),
+            actions=full_names(self.actions),
             all_topics=self.all_topics,
             all_services=self.all_services,
+            all_actions=self.all_actions,
             regex=self.regex,
             exclude_regex=self.exclude_regex,
             exclude_topics=full_names(self.exclude_topics),
             exclude_topic_types=self.exclude_topic_types,
             exclude_services=_services(self.exclude_service_events),
+            exclude_actions=full_names(self.exclude_actions),
         )
         return recording.RecordOptions(
             choice=choice,
@@ -102,10 +108,12 @@ class PlayOptions:
         self.rate = 1.0
         self.topics_to_filter: list[str] = []
         self.services_to_filter: list[str] = []
+        self.actions_to_filter: list[str] = []
         self.regex_to_filter = ""
         self.exclude_regex_to_filter = ""
         self.exclude_topics_to_filter: list[str] = []
         self.exclude_service_events_to_filter: list[str] = []
+        self.exclude_actions_to_filter: list[str] = []
         self.topic_qos_profile_overrides: dict[str, Any] = {}
         self.loop = False
         self.topic_remapping_options: list[str] = []
@@ -125,16 +133,24 @@ class PlayOptions:
 
     def to_options(self) -> playing.PlayOptions:
         """Return the options of a player."""
-        wants_all = not (self.topics_to_filter or self.services_to_filter or self.regex_to_filter)
+        wanted = (
+            self.topics_to_filter,
+            self.services_to_filter,
+            self.actions_to_filter,
+            self.regex_to_filter,
+        )
+        wants_all = not any(wanted)
         choice = TopicChoice(
             topics=full_names(self.topics_to_filter),
             services=_services(self.services_to_filter),
+            actions=full_names(self.actions_to_filter),
             all_topics=wants_all,
             all_services=wants_all,
             regex=self.regex_to_filter,
             exclude_regex=self.exclude_regex_to_filter,
             exclude_topics=full_names(self.exclude_topics_to_filter),
             exclude_services=_services(self.exclude_service_events_to_filter),
+            exclude_actions=full_names(self.exclude_actions_to_filter),
         )
         # rosbag2 takes them as arguments of a program: `--ros-args`, `--remap` and the like stand between the remaps.
         remaps = [word for word in self.topic_remapping_options if ":=" in word]

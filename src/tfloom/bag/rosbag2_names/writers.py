@@ -71,6 +71,7 @@ def writer_settings(options: StorageOptions, mode: str = "") -> WriterSettings:
         storage=storage_settings(storage_id, options.storage_preset_profile, options.storage_config_uri),
         max_file_size=options.max_bagfile_size,
         max_file_duration_ns=options.max_bagfile_duration * 1_000_000_000,
+        max_files=options.max_bag_files,
         cache_size=options.max_cache_size,
         compression_mode=mode,
         custom_data=dict(options.custom_data),

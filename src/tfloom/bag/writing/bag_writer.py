@@ -79,6 +79,8 @@ class WriterSettings(NamedTuple):
     """A file of at least this size is the last one before the next [bytes]; 0 is no limit."""
     max_file_duration_ns: int = 0
     """A message later than this after a file's first begins the next file; 0 is no limit."""
+    max_files: int = 0
+    """When one more file begins, the oldest is deleted; 0 is no limit."""
     cache_size: int = DEFAULT_CACHE_SIZE
     """Half of the size of messages that may wait to be written [bytes]; 0 is `DEFAULT_CACHE_SIZE`."""
     compression_mode: str = ""
@@ -123,10 +125,14 @@ class BagWriter:
     ) -> None:
         self.folder = folder
         self.settings = settings or WriterSettings()
-        limits = (self.settings.max_file_size, self.settings.max_file_duration_ns, self.settings.cache_size)
+        limits = (
+            *(self.settings.max_file_size, self.settings.max_file_duration_ns),
+            *(self.settings.max_files, self.settings.cache_size),
+        )
         if min(limits) < 0:
             raise BagError(
-                folder, "the sizes and the duration that limit its files and cache can't be negative"
+                folder,
+                "the sizes, the duration and the number that limit its files and cache can't be negative",
             )
         check_compression(folder, self.settings)
         self._on_split = on_split
@@ -134,6 +140,9 @@ class BagWriter:
         self.state = State.OPEN
         self._topics = TopicTable()
         self._counts: dict[int, int] = {}
+        self._file_counts: list[dict[int, int]] = []
+        """Numbers of messages by channel, of each of `_files`."""
+        self._opened_count = 0
         self._files: list[FileInformation] = []
         self._paths: list[str] = []
         try:
@@ -258,8 +267,28 @@ class BagWriter:
         with self._failing():
             closed = self._close_file()
             self._file = self._open_file()
+        self._delete_oldest()
         if self._on_split is not None:
             self._on_split(closed, self.file_path)
+
+    def _delete_oldest(self) -> None:
+        """Delete the oldest files while there are more than may be; one that can't be deleted stays in the bag."""
+        while 0 < self.settings.max_files < len(self._files):
+            oldest = self.folder / self._paths[0]
+            try:
+                oldest.unlink(missing_ok=True)
+            except OSError as error:
+                from tfloom.node.log.logging import (
+                    get_logger,  # which programs that write a bag mostly don't need
+                )
+
+                get_logger("rosbag2_cpp").warning(
+                    f"The oldest file {oldest} can't be deleted: {error.strerror}"
+                )
+                return
+            del self._files[0], self._paths[0]
+            for number, count in self._file_counts.pop(0).items():
+                self._counts[number] -= count
 
     def close(self) -> None:
         """Write what is waiting, complete the file, and write metadata.yaml. Closing again does nothing.
@@ -353,7 +382,7 @@ class BagWriter:
 
     def _open_file(self) -> StorageFile:
         storage_id = self.settings.storage_id
-        name = file_name(self.folder, len(self._files)) + STORAGES[storage_id]
+        name = file_name(self.folder, self._opened_count) + STORAGES[storage_id]
         path = self.folder / name
         info = FileInformation(name, NO_TIME_NS, 0, 0)
         # A file begins as the only one, without messages. It has the compression, because that is all that says of a
@@ -368,7 +397,9 @@ class BagWriter:
             raise self._failure(error, path) from error
         # Only now that the file exists: the next try after a failure must use the same name, and metadata.yaml must
         # name no file that isn't there.
+        self._opened_count += 1
         self._files.append(info)
+        self._file_counts.append({})
         self._paths.append(name)
         return file
 
@@ -394,7 +425,8 @@ class BagWriter:
         # A topic that was removed while its messages were waiting is in the bag all the same.
         self._topics.restore([number for number, _ in chunk.counts()])
         for number, count in chunk.counts():
-            self._counts[number] = self._counts.get(number, 0) + count
+            for counts in (self._counts, self._file_counts[-1]):
+                counts[number] = counts.get(number, 0) + count
         # Chunks may overlap in time, and come in any order of their stamps, so both ends of the file may move.
         last = self._files[-1]
         first_ns, end_ns = chunk.start_ns, chunk.end_ns

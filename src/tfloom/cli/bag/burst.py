@@ -14,6 +14,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     play_arguments.add_path(parser)
     parser.add_argument("--topics", nargs="+", default=[], help="topics to play (default: all)")
     parser.add_argument("--services", nargs="+", default=[], help="services to play (default: all)")
+    parser.add_argument(
+        "--actions",
+        nargs="+",
+        default=[],
+        help=conventions.help_since("kilted", "actions to play (default: all)"),
+    )
     play_arguments.add_qos_overrides(parser)
     play_arguments.add_remap(parser)
     play_arguments.add_storage_config(parser)

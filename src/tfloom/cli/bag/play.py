@@ -63,6 +63,13 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
     add("--topics", nargs="+", default=[], metavar="topic", help="topics to play (default: all)")
     add("--services", nargs="+", default=[], metavar="service", help="services to play (default: all)")
     add(
+        "--actions",
+        nargs="+",
+        default=[],
+        metavar="action",
+        help=conventions.help_since("kilted", "actions to play (default: all)"),
+    )
+    add(
         "-e",
         "--regex",
         type=conventions.regular_expression,
@@ -78,6 +85,13 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
     )
     add("--exclude-topics", nargs="+", default=[], metavar="topic", help="topics to leave out")
     add("--exclude-services", nargs="+", default=[], metavar="service", help="services to leave out")
+    add(
+        "--exclude-actions",
+        nargs="+",
+        default=[],
+        metavar="action",
+        help=conventions.help_since("kilted", "actions to leave out"),
+    )
 
 
 def _add_clock(parser: argparse.ArgumentParser) -> None:

@@ -62,20 +62,22 @@ def add_start_offset(parser: argparse.ArgumentParser) -> None:
 
 
 def choice_of(args: argparse.Namespace) -> TopicChoice:
-    """Return which topics are played: without --topics, --services and --regex, all."""
+    """Return which topics are played: without --topics, --services, --actions and --regex, all."""
     from tfloom.bag.topic_choice import TopicChoice, full_names
 
     regex = getattr(args, "regex", "")
-    wants_all = not (args.topics or args.services or regex)
+    wants_all = not (args.topics or args.services or args.actions or regex)
     return TopicChoice(
         topics=full_names(args.topics),
         services=full_names(args.services),
+        actions=full_names(args.actions),
         all_topics=wants_all,
         all_services=wants_all,
         regex=regex,
         exclude_regex=getattr(args, "exclude_regex", ""),
         exclude_topics=full_names(getattr(args, "exclude_topics", [])),
         exclude_services=full_names(getattr(args, "exclude_services", [])),
+        exclude_actions=full_names(getattr(args, "exclude_actions", [])),
     )
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from tfloom.cli.bag import conventions
 from tfloom.cli.shared import numbers
 from tfloom.common.terminal import report
-from tfloom.ros_imports.ros_distro import removal
+from tfloom.ros_imports.ros_distro import ALL_RECORDS_ACTIONS, removal
 
 if TYPE_CHECKING:
     from tfloom.bag.recording.recorded_topics import RecordOptions
@@ -47,10 +47,23 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--topics", nargs="+", default=[], metavar="Topic", help="topics to record")
     add("--services", nargs="+", default=[], metavar="ServiceName", help="services whose events are recorded")
+    add(
+        "--actions",
+        nargs="+",
+        default=[],
+        metavar="ActionName",
+        help=conventions.help_since("kilted", "actions to record: feedback, status, events"),
+    )
     add("--topic-types", nargs="+", default=[], metavar="TopicType", help="types whose topics are recorded")
-    add("-a", "--all", action="store_true", help="record all topics and services, but for hidden topics")
+    add(
+        "-a",
+        "--all",
+        action="store_true",
+        help="record all topics and services, but for hidden topics; from Kilted on all actions, too",
+    )
     add("--all-topics", action="store_true", help="record all topics, but for hidden ones")
     add("--all-services", action="store_true", help="record the events of all services")
+    add("--all-actions", action="store_true", help=conventions.help_since("kilted", "record all actions"))
     add(
         "-e",
         "--regex",
@@ -69,6 +82,13 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
     )
     add("--exclude-topics", nargs="+", default=[], metavar="Topic", help="topics to leave out")
     add("--exclude-services", nargs="+", default=[], metavar="ServiceName", help="services to leave out")
+    add(
+        "--exclude-actions",
+        nargs="+",
+        default=[],
+        metavar="ActionName",
+        help=conventions.help_since("kilted", "actions to leave out"),
+    )
 
 
 def _add_discovery(parser: argparse.ArgumentParser) -> None:
@@ -107,6 +127,15 @@ def _add_writing(parser: argparse.ArgumentParser) -> None:
         type=numbers.size,
         default=0,
         help="seconds after which a file is completed and the next one begun (default 0: never)",
+    )
+    add(
+        "--max-bag-files",
+        type=numbers.count,
+        default=0,
+        help=conventions.help_since(
+            "lyrical",
+            "number of files that are kept: the oldest is deleted when one more begins (default 0: all)",
+        ),
     )
     add(
         "--max-cache-size",
@@ -192,7 +221,7 @@ def _checked_folder(args: argparse.Namespace) -> Path:
         report(text)
     wanted = (
         *(args.all, args.all_topics, args.all_services, args.topics, args.topics_positional),
-        *(args.services, args.topic_types, args.regex),
+        *(args.services, args.actions, args.all_actions, args.topic_types, args.regex),
     )
     if not any(wanted):
         raise conventions.error(
@@ -202,6 +231,10 @@ def _checked_folder(args: argparse.Namespace) -> Path:
     if args.serialization_format not in {"", "cdr"}:
         raise conventions.error(
             f"'{args.serialization_format}' is not known here; the serialization format is cdr"
+        )
+    if args.max_bag_files and not (args.max_bag_size or args.max_bag_duration):
+        raise conventions.error(
+            "--max-bag-files needs --max-bag-size or --max-bag-duration, at which a file is completed"
         )
     if args.compression_format and args.compression_mode == "none":
         raise conventions.error(
@@ -240,6 +273,7 @@ def _settings(args: argparse.Namespace) -> WriterSettings:
         storage=storage_settings(args.storage, args.storage_preset_profile, args.storage_config_file or ""),
         max_file_size=args.max_bag_size,
         max_file_duration_ns=args.max_bag_duration * 1_000_000_000,
+        max_files=args.max_bag_files,
         cache_size=args.max_cache_size,
         compression_mode="" if args.compression_mode == "none" else args.compression_mode.upper(),
         custom_data=custom,
@@ -256,6 +290,8 @@ def _options(args: argparse.Namespace) -> RecordOptions:
         topics=full_names([*args.topics_positional, *args.topics]),
         topic_types=args.topic_types,
         services=full_names(args.services),
+        actions=full_names(args.actions),
+        all_actions=args.all_actions or (args.all and ALL_RECORDS_ACTIONS),
         all_topics=args.all or args.all_topics,
         all_services=args.all or args.all_services,
         regex=args.regex,
@@ -263,6 +299,7 @@ def _options(args: argparse.Namespace) -> RecordOptions:
         exclude_topics=full_names(args.exclude_topics),
         exclude_topic_types=args.exclude_topic_types,
         exclude_services=full_names(args.exclude_services),
+        exclude_actions=full_names(args.exclude_actions),
     )
     overrides = args.qos_profile_overrides_path
     return RecordOptions(
