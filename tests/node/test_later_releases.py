@@ -406,3 +406,14 @@ def test_init_tells_whether_it_has_installed_handlers(options: SignalHandlerOpti
         assert started.installed_signal_handlers is (options != SignalHandlerOptions.NO)
     assert signal.getsignal(signal.SIGINT) == before
     assert not context.ok()
+
+
+def test_a_context_that_was_initialised_is_entered() -> None:
+    context = Context()
+    context.init(["program"], domain_id=3)
+    with context as same:
+        assert same is context
+        assert context.get_domain_id() == 3
+    assert not context.ok()
+    with pytest.raises(RuntimeError, match="must only be called once"), context:
+        pass

@@ -27,6 +27,10 @@ from lifecycle_msgs.msg import TransitionEvent
 from std_srvs.srv import Empty
 from turtlesim.msg import Pose
 import turtlesim_msgs.msg
+from action_msgs.msg import GoalInfo
+from rclpy.action.server import ServerGoalHandle
+from rclpy.context import Context
+from tfloom.node.action.goal_states import GoalEvent
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings, file_name
 from tfloom.node.values.scalars import parse_value
 from tfloom.ros_imports import ros_distro
@@ -39,6 +43,24 @@ def outcome(call):
         except Exception as error:
             return type(error).__name__
     return [type(one.message).__name__ for one in caught if one.filename == __file__] or str(result)
+
+class Recorder:
+    def __init__(self):
+        self.calls = []
+
+    def __getattr__(self, name):
+        return lambda *arguments: self.calls.append(name)
+
+def feedback_while_canceling():
+    server = Recorder()
+    goal = ServerGoalHandle(server, GoalInfo(), None)
+    goal.update(GoalEvent.CANCEL_GOAL)
+    goal.publish_feedback(None)
+    return server.calls
+
+def enter():
+    with Context() as context:
+        return context.ok()
 
 rclpy.init()
 node = rclpy.create_node("asks")
@@ -53,6 +75,8 @@ print(json.dumps({
     "RESULT_TIMEOUT_S": inspect.signature(ActionServer).parameters["result_timeout"].default,
     "NEEDS_MORE_THAN_A_NAME": outcome(lambda: node.declare_parameter("alone").value),
     "NEEDS_MORE_THAN_A_NAME, several": outcome(lambda: node.declare_parameters("", [("other",)])),
+    "CONTEXT_ASKS_FOR_INIT": outcome(enter),
+    "FEEDBACK_NEEDS_EXECUTING": feedback_while_canceling(),
     "LOGGER_WARN_IS_DEPRECATED": outcome(lambda: node.get_logger().warn("text")),
     "FOURTH_OF_APPROXIMATE": outcome(lambda: ApproximateTimeSynchronizer(filters, 5, 0.1, True).allow_headerless),
     "FOURTH_OF_APPROXIMATE, fifth": outcome(
@@ -75,6 +99,12 @@ OUTCOMES: dict[str, tuple[Any, Any, Any]] = {
     "RESULT_TIMEOUT_S": (900, 10, 10),
     "NEEDS_MORE_THAN_A_NAME": (["UserWarning"], ["UserWarning"], "TypeError"),
     "NEEDS_MORE_THAN_A_NAME, several": (["UserWarning"], ["UserWarning"], "TypeError"),
+    "CONTEXT_ASKS_FOR_INIT": ("True", ["UserWarning"], ["UserWarning"]),
+    "FEEDBACK_NEEDS_EXECUTING": (
+        ["notify_goal_done", "publish_feedback"],
+        ["notify_goal_done", "publish_feedback"],
+        ["notify_goal_done", "warn"],
+    ),
     "LOGGER_WARN_IS_DEPRECATED": ("True", ["DeprecationWarning"], ["DeprecationWarning"]),
     "FOURTH_OF_APPROXIMATE": ("True", "ValueError", "ValueError"),
     "FOURTH_OF_APPROXIMATE, fifth": ("TypeError", "True", "True"),

@@ -62,6 +62,10 @@ RESULT_TIMEOUT_S = _choice(jazzy=900, kilted=10, lyrical=10)
 """How long an ActionServer keeps the result of an ended goal, where the program gives no time [s]."""
 NEEDS_MORE_THAN_A_NAME = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether `declare_parameter(name)` alone raises TypeError; otherwise it warns."""
+CONTEXT_ASKS_FOR_INIT = _choice(jazzy=False, kilted=True, lyrical=True)
+"""Whether a Context that is entered by `with` before its `init` warns that this is deprecated."""
+FEEDBACK_NEEDS_EXECUTING = _choice(jazzy=False, kilted=False, lyrical=True)
+"""Whether feedback of a goal that isn't executing is ignored, with a warning; otherwise it is published."""
 LOGGER_WARN_IS_DEPRECATED = _choice(jazzy=False, kilted=True, lyrical=True)
 """Whether `logger.warn` warns that it is `logger.warning`."""
 FOURTH_OF_APPROXIMATE = _choice(jazzy="allow_headerless", kilted="queue_offset", lyrical="queue_offset")

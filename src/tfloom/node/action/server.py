@@ -387,6 +387,10 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         with suppress(InvalidHandle):
             self._feedback.publish(message)
 
+    def warn(self, text: str) -> None:
+        """Log a warning; goal handles call this."""
+        self._node.get_logger().warning(text)
+
     def notify_goal_done(self) -> None:
         """Publish the states of the goals, because one has changed; goal handles call this."""
         self._publish_status()

@@ -13,6 +13,7 @@ from tfloom.node.executing.task import Future
 from tfloom.node.values.type_support import FeedbackT, GoalT, ResultT
 from tfloom.rmw.typed_names import key_of
 from tfloom.ros_imports.guard import ros_repr
+from tfloom.ros_imports.ros_distro import FEEDBACK_NEEDS_EXECUTING
 
 __all__ = ["GoalServer", "ServerGoalHandle"]
 
@@ -33,6 +34,9 @@ class GoalServer(Protocol):
 
     def forget(self, goal_handle: ServerGoalHandle) -> None:
         """Drop a goal."""
+
+    def warn(self, text: str) -> None:
+        """Log a warning."""
 
 
 class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
@@ -131,10 +135,14 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
     def publish_feedback(self, feedback: FeedbackT) -> None:
         """Publish feedback.
 
+        Where ROS_DISTRO says Lyrical, feedback of a goal that isn't executing is ignored, with a warning.
+
         Raises:
             TypeError: `feedback` isn't of the action's feedback type.
         """
-        if not self._destroyed:
+        if FEEDBACK_NEEDS_EXECUTING and self.status != GoalStatus.STATUS_EXECUTING:
+            self._server.warn("publish_feedback() called on a goal handle not in executing state, ignoring")
+        elif not self._destroyed:
             self._server.publish_feedback(self.goal_id, feedback)
 
     def succeed(self) -> None:

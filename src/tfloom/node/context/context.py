@@ -32,6 +32,7 @@ from tfloom.node.values.handle import Handle
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.postponed_interrupt import postponed
 from tfloom.ros_imports.guard import ros_repr
+from tfloom.ros_imports.ros_distro import CONTEXT_ASKS_FOR_INIT
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -78,7 +79,7 @@ class Context:
     Nodes of a context share one participant on the wire, opened with the first of them and closed when the
     context is shut down and the last node is destroyed, or when the program ends.
 
-    As a context manager, it is initialised with the program's arguments, and shut down on exit.
+    As a context manager, it is initialised with the program's arguments unless it is already, and shut down on exit.
     """
 
     def __init__(self) -> None:
@@ -441,6 +442,16 @@ class Context:
         self._nodes = 0
 
     def __enter__(self) -> Self:
+        if self._valid:  # by a call of `init`
+            return self
+        if CONTEXT_ASKS_FOR_INIT and not self._initialized:
+            import warnings
+
+            warnings.warn(
+                "init() must be called on a Context before using it in a Python context manager. Calling init() with "
+                "no arguments, this usage is deprecated",
+                stacklevel=2,
+            )
         self.init()
         return self
 
