@@ -198,6 +198,7 @@ FREE = {
     "value",
     "further",
     "argv",
+    "arguments",
     "parameter_file",
     "folder",
     "file",
