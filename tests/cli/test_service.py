@@ -153,3 +153,11 @@ def test_verbose_info_describes_servers_and_clients() -> None:
     client = transcript.run_here("service", "info", "-v", "/reset").text.split("\n\n")
     assert client[1] == "Clients count: 1"
     assert "Endpoint type: CLIENT" in client[2].splitlines()
+
+
+def test_call_has_the_requested_quality() -> None:
+    call = ("service", "call", "/clear", "std_srvs/srv/Empty", "--timeout", "5")
+    assert transcript.run_here(*call, "--qos-depth", "3").exit_code == 0
+    wrong = transcript.run_here(*call, "--qos-reliability", "best_effort")
+    assert wrong.exit_code == 1
+    assert "/clear" in wrong.text

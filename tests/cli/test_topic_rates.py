@@ -212,3 +212,15 @@ def test_topics_are_named_or_all(words: tuple[str, ...], domain_id: int) -> None
         answer = transcript.run_here("topic", verb, *words)
         assert answer.exit_code == 1
         assert answer.text.startswith("name the topics, or give --all")
+
+
+@pytest.mark.parametrize("words", [("/x",), ("/x", "/y")])
+def test_rates_are_measured_with_the_requested_quality(
+    words: tuple[str, ...], publish: Callable[..., None], start_program: Callable[..., Program]
+) -> None:
+    publish("/x", Header)
+    asked = ("--qos-durability", "transient_local", "--qos-reliability", "reliable")
+    program = start_program(
+        "python", *transcript.python_words("topic", "hz", *words, *asked, constants=QUICK)
+    )
+    program.wait_for("offered DURABILITY VOLATILE, requested DURABILITY TRANSIENT_LOCAL")

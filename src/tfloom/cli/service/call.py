@@ -8,13 +8,14 @@ from collections.abc import Iterable
 from itertools import repeat
 from typing import Any
 
-from tfloom.cli.shared import graph
+from tfloom.cli.shared import graph, qos
 from tfloom.cli.shared.calls import printer, service_client
 from tfloom.cli.shared.errors import CommandError, standard_input
 from tfloom.cli.shared.interfaces import fill_message, parse_yaml, service_class, yaml_documents
 from tfloom.cli.shared.listen import cli_node, shown_node
 from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.numbers import rate, seconds
+from tfloom.rmw.qos import QoS
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,6 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--stdin", action="store_true", help="read requests, YAML documents, from standard input"
     )
     parser.add_argument("-r", "--rate", metavar="N", type=rate, help="call repeatedly, with this rate in Hz")
+    qos.add_arguments(parser, default="that of services")
     parser.add_argument(
         "--timeout",
         metavar="N",
@@ -47,7 +49,7 @@ def main(args: argparse.Namespace) -> int:
     with (
         graph.joined_participant() as participant,
         shown_node(participant, cli_node()) as node,
-        service_client(participant, node, name, cls) as client,
+        service_client(participant, node, name, cls, qos.requested_qos(args, QoS())) as client,
     ):
         for request in _requests(cls, args):
             start = time.monotonic()

@@ -14,6 +14,7 @@ from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import did_you_mean
 from tfloom.common.terminal import report
 from tfloom.rmw.base import NodeName, Participant
+from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.service_request import ServiceRequest, ServiceRequestError
 from tfloom.rmw.typed_names import SEND_GOAL, other_type_text
 from tfloom.rosidl import cdr
@@ -31,12 +32,19 @@ CHECK_S = 0.005
 class Client:
     """One client of one service."""
 
-    def __init__(self, participant: Participant, node: NodeName, name: str, service_class: type[Any]) -> None:
+    def __init__(
+        self,
+        participant: Participant,
+        node: NodeName,
+        name: str,
+        service_class: type[Any],
+        qos: QoS | None = None,
+    ) -> None:
         self.name = name
         self._type_name = service_class._TYPE_NAME
         self._graph = participant.graph
         self._arrived = ReadyQueue()
-        self._request = ServiceRequest(participant, node, name, service_class, self._arrived)
+        self._request = ServiceRequest(participant, node, name, service_class, self._arrived, qos)
 
     def wait_for_server(
         self, timeout_s: float = math.inf, while_waiting: Callable[[], None] | None = None
@@ -120,10 +128,10 @@ class Client:
 
 @contextmanager
 def service_client(
-    participant: Participant, node: NodeName, name: str, service_class: type[Any]
+    participant: Participant, node: NodeName, name: str, service_class: type[Any], qos: QoS | None = None
 ) -> Iterator[Client]:
-    """Open a client of a service for the block."""
-    client = Client(participant, node, name, service_class)
+    """Open a client of a service for the block, with the quality of service that services have, unless one is given."""
+    client = Client(participant, node, name, service_class, qos)
     try:
         yield client
     finally:

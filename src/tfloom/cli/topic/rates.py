@@ -24,10 +24,12 @@ from tfloom.cli.shared.listen import (
 )
 from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.numbers import positive_count, seconds
-from tfloom.cli.shared.qos import suiting_qos
+from tfloom.cli.shared.qos import add_arguments as add_qos_arguments
+from tfloom.cli.shared.qos import requested_qos, suiting_qos
 from tfloom.cli.shared.sim_time import clock, wait_until_known
 from tfloom.common.terminal import clear_terminal, report
 from tfloom.rmw.base import Graph, Sample
+from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rosidl.message import Message
 
@@ -43,6 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser, window: int) -> None:
         default=window,
         help=f"number of messages to average over (default: {window})",
     )
+    add_qos_arguments(parser, default="compatible with all publishers of the topic")
     parser.add_argument(
         "--spin-time", type=seconds, default=graph.MAX_WAIT_S, help="longest time of discovery in seconds"
     )
@@ -124,7 +127,8 @@ def watch(
         with clock(participant, cli_node(), simulated=simulated) as now_ns:
             if simulated:
                 wait_until_known(now_ns)
-            for sample in samples_and_ticks(participant, name, cls, suiting_qos(publishers), tick_s=REPORT_S):
+            quality = requested_qos(args, QoS()) or suiting_qos(publishers)
+            for sample in samples_and_ticks(participant, name, cls, quality, tick_s=REPORT_S):
                 if sample is None:
                     report(now_ns() * 1e-9)
                 else:
@@ -156,13 +160,14 @@ def watch_several(
             if not publishers_of(participant.graph, name):
                 report(f"WARNING: topic [{name}] does not appear to be published yet")
         simulated = args.use_sim_time and not getattr(args, "wall_time", False)
+        asked_qos = requested_qos(args, QoS())
         refused: set[str] = set()
         with clock(participant, cli_node(), simulated=simulated) as now_ns:
             if simulated:
                 wait_until_known(now_ns)
             next_report_s = time.monotonic() + REPORT_S
             while True:
-                _open_published(participant.graph, names, readers, refused)
+                _open_published(participant.graph, names, readers, refused, asked_qos)
                 while time.monotonic() < next_report_s:
                     is_idle = True
                     for name, cls, sample in readers.take():
@@ -177,7 +182,9 @@ def watch_several(
                 print("\n".join(table(now_ns() * 1e-9)), flush=True)
 
 
-def _open_published(found: Graph, names: Sequence[str], readers: TopicReaders, refused: set[str]) -> None:
+def _open_published(
+    found: Graph, names: Sequence[str], readers: TopicReaders, refused: set[str], asked_qos: QoS | None
+) -> None:
     """Begin to read those topics that have a publisher by now; without names, all but hidden ones.
 
     A topic that can't be read, for example because nobody has its type, is reported and added to `refused`.
@@ -193,7 +200,7 @@ def _open_published(found: Graph, names: Sequence[str], readers: TopicReaders, r
             refused.add(name)
             report(f"{name}: {error}")
         else:
-            readers.open(name, cls, suiting_qos(publishers_of(found, name)))
+            readers.open(name, cls, asked_qos or suiting_qos(publishers_of(found, name)))
 
 
 def table_lines(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:

@@ -45,11 +45,14 @@ class ServiceRequest:
         name: str,
         service_class: type[Any],
         arrived: ReadyQueue,
+        qos: QoS | None = None,
     ) -> None:
         self._name = name
         self._class = service_class
         self._arrived = arrived
-        self._requester = participant.create_requester(node, service_of(service_class, name), QoS())
+        self._requester = participant.create_requester(
+            node, service_of(service_class, name), QoS() if qos is None else qos
+        )
         self._requester.notify(arrived, 1)
         self._requester.watch_servers(arrived, 1)
         self._request = b""
