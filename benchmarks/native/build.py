@@ -21,6 +21,8 @@ FOLDER = ROOT / "build" / "benchmarks"
 MODULE = "_native"
 PROGRAM = "beside_writers"
 CORES = os.cpu_count() or 1
+UNITY = "Unity"
+"""The folder of the sources that CMake writes, which include several files of a target."""
 
 
 class Build:
@@ -45,12 +47,12 @@ class Build:
 
     @cached_property
     def commands(self) -> dict[str, tuple[Path, list[str]]]:
-        """The source and the compiler's command of each object."""
+        """The source and the compiler's command of each object; of some, the source includes several files."""
         entries = json.loads((self.folder / "compile_commands.json").read_text("utf-8"))
         command_of = {}
         for entry in entries:
             source, words = Path(entry["file"]), shlex.split(entry["command"])
-            if source.is_relative_to(NATIVE):
+            if source.is_relative_to(NATIVE) or source.parent.name == UNITY:
                 command_of[words[words.index("-o") + 1]] = (source, words)
         return command_of
 
@@ -78,16 +80,14 @@ class Build:
         for made, (source, words) in self.commands.items():
             if not self.headers[made] & changed:
                 continue
-            path = source.relative_to(NATIVE).as_posix()
-            target = folder / (path.replace("/", "_") + ".o")
+            target = folder / made.replace("/", "_")
             objects[made] = str(target)
-            edited = folder / "native" / path
             sources = [self.folder / made, *(folder / "native" / one for one in changed)]
             if target.exists() and target.stat().st_mtime >= max(one.stat().st_mtime for one in sources):
                 continue
             command = [words[0], f"-I{folder / 'native'}", *words[1:]]
             command[command.index("-o") + 1] = str(target)
-            command[command.index("-c") + 1] = str(edited if edited.exists() else source)
+            command[command.index("-c") + 1] = str(edited_source(source, folder, changed))
             jobs.append(command)
         with ThreadPoolExecutor(CORES) as pool:
             for done in pool.map(lambda command: run(*command, folder=self.folder), jobs):
@@ -95,11 +95,29 @@ class Build:
         return Plain(self, folder, objects)
 
 
+def edited_source(source: Path, folder: Path, changed: set[str]) -> Path:
+    """Return the source of an object with the files that are edited in place of the shipped ones."""
+    if source.parent.name != UNITY:
+        edited = folder / "native" / source.relative_to(NATIVE)
+        return edited if edited.exists() else source
+    text = source.read_text("utf-8")
+    for path in changed:
+        text = text.replace(f'"{NATIVE / path}"', f'"{folder / "native" / path}"')
+    edited = folder / f"{source.parents[1].stem}_{source.name}"
+    edited.write_text(text, "utf-8")
+    return edited
+
+
 class Plain:
     """The objects without one optimisation."""
 
     def __init__(self, build: Build, folder: Path, objects: dict[str, str]) -> None:
         self._build, self.folder, self.objects = build, folder, objects
+
+    @property
+    def core(self) -> list[str]:
+        """The objects of the core, which its library has too."""
+        return [one for made, one in self.objects.items() if "/tfloom_core" in made]
 
     @property
     def module(self) -> Path:
@@ -110,7 +128,7 @@ class Plain:
         words = [self.objects.get(word, word) for word in shlex.split(command) if word not in {":", "&&"}]
         words[words.index("-o") + 1] = str(module)
         archive = words.index("libtfloom_core.a")
-        words[archive:archive] = [one for made, one in self.objects.items() if "tfloom_core.dir" in made]
+        words[archive:archive] = self.core
         run(*words, folder=build.folder)
         return module
 
@@ -118,8 +136,7 @@ class Plain:
 def program(build: Build, plain: Plain | None = None) -> Path:
     """Return the path of `beside_writers`, linked with the shipped core or with that of `plain`."""
     folder = plain.folder if plain else build.folder
-    objects = list(plain.objects.values()) if plain else []
-    core = [one for one in objects if "/bindings_" not in one]
+    core = plain.core if plain else []
     words = next(words for made, (_, words) in build.commands.items() if made.endswith("/tf2/buffer.cpp.o"))
     flags = words[1 : words.index("-o")]
     target = folder / PROGRAM
