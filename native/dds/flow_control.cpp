@@ -54,17 +54,13 @@ class SystemSources : public FlowSources {
     // Another machine's address would find a socket here that is bound to all addresses.
     if (descriptor_ < 0 || !is_of_ipv4(address) || address.bytes[12] != loopback) return std::nullopt;
     if (!send_question(address)) return std::nullopt;
-    // The kernel answers within the question. An answer of an earlier number is one that was not read.
-    while (true) {
-      const ssize_t size = ::recv(descriptor_, answer_.data(), answer_.size(), MSG_DONTWAIT);
-      if (size <= 0) return std::nullopt;
-      nlmsghdr header{};
-      if (static_cast<std::size_t>(size) < sizeof(header)) return std::nullopt;
-      std::memcpy(&header, answer_.data(), sizeof(header));
-      if (header.nlmsg_seq != number_) continue;
-      if (header.nlmsg_type != SOCK_DIAG_BY_FAMILY) return std::nullopt;  // there is no such socket
-      return read(std::min<std::size_t>(static_cast<std::size_t>(size), header.nlmsg_len));
-    }
+    // The kernel answers within the question.
+    const ssize_t size = ::recv(descriptor_, answer_.data(), answer_.size(), MSG_DONTWAIT);
+    nlmsghdr header{};
+    if (size < static_cast<ssize_t>(sizeof(header))) return std::nullopt;
+    std::memcpy(&header, answer_.data(), sizeof(header));
+    if (header.nlmsg_type != SOCK_DIAG_BY_FAMILY) return std::nullopt;  // there is no such socket
+    return read(std::min<std::size_t>(static_cast<std::size_t>(size), header.nlmsg_len));
   }
 
  private:
@@ -80,7 +76,6 @@ class SystemSources : public FlowSources {
     question.header.nlmsg_len = sizeof(question);
     question.header.nlmsg_type = SOCK_DIAG_BY_FAMILY;
     question.header.nlmsg_flags = NLM_F_REQUEST;
-    question.header.nlmsg_seq = ++number_;
     question.socket.sdiag_family = AF_INET;
     question.socket.sdiag_protocol = IPPROTO_UDP;
     question.socket.idiag_ext = 1 << (INET_DIAG_SKMEMINFO - 1);
@@ -108,7 +103,6 @@ class SystemSources : public FlowSources {
   }
 
   const int descriptor_;
-  std::uint32_t number_ = 0;
   std::array<std::byte, 1024> answer_{};
 };
 #else

@@ -200,11 +200,11 @@ struct Unread {
   int descriptor = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
 
-  Unread() {
+  explicit Unread(in_addr_t bound_to = INADDR_LOOPBACK) {
     const int size = 212'992;
     ::setsockopt(descriptor, SOL_SOCKET, SO_RCVBUF, &size, sizeof(size));
     address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_addr.s_addr = htonl(bound_to);
     ::bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof(address));
     socklen_t length = sizeof(address);
     ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &length);
@@ -236,7 +236,9 @@ void the_kernel_tells() {
   const auto full = sources->queue(unread.port());
   check(full && full->used > 0 && full->used + counted > full->limit, "a full socket is not told of as full");
   check(!sources->queue(address_of(1)), "a port without a socket has a queue");
-  Address elsewhere = unread.port();
+  const Unread of_all_addresses(INADDR_ANY);
+  check(sources->queue(of_all_addresses.port()).has_value(), "a socket of all addresses has no queue");
+  Address elsewhere = of_all_addresses.port();
   elsewhere.bytes[12] = 10;
   check(!sources->queue(elsewhere), "an address of another machine has a queue");
   Address of_v6 = unread.port();
