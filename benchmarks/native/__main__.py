@@ -56,6 +56,7 @@ ROWS: list[tuple[str, str]] = [
     ("ASCII text", "decode JointState of 30"),
     ("size hint", "encode TFMessage x 1"),
     ("kept memory", "decode 8 MB, five held"),
+    ("decoded in place", "take a message of 8 MB"),
     ("wake-up if waiting", "post to a busy executor"),
 ]
 

@@ -199,6 +199,38 @@ def decode_held(message: Any, held: int) -> Case:
     return Case(call, lambda: list(hashlib.sha256(cdr.encode(cdr.decode(kind, data))).digest()), held)
 
 
+def take(message: Any) -> Case:
+    """Take a message as a subscription does, from a writer of the same process."""
+    from benchmarks.domain import DOMAIN_ID
+    from tfloom.rmw.base import NodeName, Topic
+    from tfloom.rmw.cyclone.wire import open_participant
+    from tfloom.rmw.qos import QoS
+
+    kind, data = type(message), cdr.encode(message)
+    participant = open_participant(DOMAIN_ID)
+    node, topic = NodeName("/", "takes"), Topic("/taken", "std_msgs/msg/UInt8MultiArray", "")
+    participant.add_node(node)
+    reader = participant.create_reader(node, topic, QoS())
+    writer = participant.create_writer(node, topic, QoS())
+
+    def taken() -> Any:
+        sample = reader.take_decoded(kind)
+        assert sample is not None
+        return cdr.decode(kind, sample.data) if type(sample.data) is bytes else sample.data
+
+    def call() -> float:
+        writer.write(data)
+        begin_ns = thread_time_ns()
+        taken()
+        return (thread_time_ns() - begin_ns) / 1e9
+
+    def answer() -> list[float]:
+        writer.write(data)
+        return list(hashlib.sha256(cdr.encode(taken())).digest())
+
+    return Case(call, answer, 1)
+
+
 def encode(message: Any, count: int) -> Case:
     def call() -> None:
         for _ in range(count):
@@ -254,6 +286,7 @@ CASES: dict[str, Callable[[], Case]] = {
     "decode PoseStamped": lambda: decode(PoseStamped(), 300),
     "decode JointState of 30": lambda: decode(JOINTS, 100),
     "decode 8 MB, five held": lambda: decode_held(UInt8MultiArray(data=bytes(8_000_000)), 5),
+    "take a message of 8 MB": lambda: take(UInt8MultiArray(data=bytes(8_000_000))),
     "encode TFMessage x 1": lambda: encode(tf_message(ROBOT[:1]), 500),
     "post to a busy executor": posts,
 }

@@ -132,6 +132,9 @@ EDITS: dict[str, dict[str, Edits | str]] = {
             ("if (message_size < min_kept_memory) return;", "if (message_size != SIZE_MAX) return;")
         ]
     },
+    "decoded in place": {
+        "bindings/dds.cpp": [("if (data.size() < min_kept_memory) return", "if (data.size() > 0) return")]
+    },
     "fair mutex": {"tf2/fair_mutex.hpp": [("#ifdef __GLIBC__\n\nclass", "#ifdef _WIN32\n\nclass")]},
 }
 """For each optimisation, its files, each with its edits or with the name of the file in `plain/` that replaces it."""

@@ -214,14 +214,8 @@ nb::bytes encode(const nb::handle& message) {
 }
 
 nb::object decode_bytes(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes) {
-  keep_memory_of(bytes.size());
   try {
-    cdr::Cursor in(bytes);
-    ObjectBuilder builder(type);
-    auto message = cdr::Decoder(in, builder).message(plan);
-    constexpr std::size_t max_padding = 7;  // wires pad to 4 or 8
-    if (in.left() > max_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
-    return message;
+    return decode_message(plan, type, bytes);
   } catch (const cdr::DecodeError& error) {
     const std::string path = whole_path(plan, error);
     raise_codec_error(message_hooks().decode_error,
@@ -242,6 +236,16 @@ nb::object decode(const nb::type_object& message_class, const nb::handle& data) 
 }
 
 }  // namespace
+
+nb::object decode_message(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes) {
+  keep_memory_of(bytes.size());
+  cdr::Cursor in(bytes);
+  ObjectBuilder builder(type);
+  auto message = cdr::Decoder(in, builder).message(plan);
+  constexpr std::size_t max_padding = 7;  // wires pad to 4 or 8
+  if (in.left() > max_padding) in.fail(std::to_string(in.left()) + " bytes are left over");
+  return message;
+}
 
 void bind_cdr(nb::module_& m) {
   bind_message_base(m);

@@ -14,6 +14,7 @@
 #include "bindings/bindings.hpp"
 #include "bindings/gil.hpp"
 #include "bindings/bytes.hpp"
+#include "bindings/objects.hpp"
 #include "core/kept_memory.hpp"
 #include "dds/graph.hpp"
 #include "dds/packets.hpp"
@@ -65,14 +66,35 @@ Gid to_gid(const nb::bytes& bytes) { return bytes_of<16>(bytes, "a gid has 16 by
 
 std::string to_string(const nb::bytes& bytes) { return {bytes.c_str(), bytes.size()}; }
 
-nb::object take_sample(Reader& reader) {
+template <typename ContentOf>
+nb::object take_with(Reader& reader, ContentOf content_of) {
   nb::object taken = nb::none();
-  reader.take([&taken](std::span<const std::byte> data, const SampleInfo& info) {
+  reader.take([&](std::span<const std::byte> data, const SampleInfo& info) {
     keep_memory_of(data.size());
-    taken = nb::make_tuple(to_bytes(data), info.source_stamp_ns, info.received_stamp_ns,
+    taken = nb::make_tuple(content_of(data), info.source_stamp_ns, info.received_stamp_ns,
                            to_bytes(info.publisher_gid));
   });
   return taken;
+}
+
+nb::object take_sample(Reader& reader) {
+  return take_with(reader, [](std::span<const std::byte> data) -> nb::object { return to_bytes(data); });
+}
+
+// A large sample is decoded where the library has it, without a copy as `bytes`: benchmarks/native, "decoded in place". It
+// is released by the end of the take. Small ones are not worth it, and must not be released after another thread has left
+// the domain, which a finalizer in the middle of decoding may let run: the library returns them to the domain's pool.
+nb::object take_decoded(Reader& reader, const nb::type_object& message_class) {
+  auto* type = reinterpret_cast<PyTypeObject*>(message_class.ptr());
+  const ObjectPlan& plan = plan_of(type);  // before the take, because it may fail
+  return take_with(reader, [&](std::span<const std::byte> data) -> nb::object {
+    if (data.size() < min_kept_memory) return to_bytes(data);
+    try {
+      return decode_message(plan, type, data);
+    } catch (const cdr::DecodeError&) {
+      return to_bytes(data);  // whoever decodes it gets the error
+    }
+  });
 }
 
 bool write(Writer& writer, const nb::bytes& data) {
@@ -221,6 +243,9 @@ void bind_reader(nb::module_& m) {
            "Post `token` to `queue` when there are samples to take; None ends it.")
       .def("take", &take_sample, nb::sig("def take(self) -> tuple[bytes, int, int, bytes] | None"),
            "Remove the oldest sample: (data, source stamp, received stamp, gid), or None.")
+      .def("take_decoded", &take_decoded, "message_class"_a,
+           nb::sig("def take_decoded(self, message_class: type) -> tuple[typing.Any, int, int, bytes] | None"),
+           "As `take`; but a large sample that can be decoded is a message of `message_class` instead of bytes.")
       .def("feed", &feed, "sink"_a,
            "Push every further sample into `sink`, on a thread without Python.")
       .def("close", &Reader::close, ReleaseGil(),

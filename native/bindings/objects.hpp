@@ -62,6 +62,10 @@ const MessageHooks& message_hooks();
 // Return the plan of a message class, compiled at first use. Raise TypeError for any other class.
 ObjectPlan& plan_of(PyTypeObject* type);
 
+// Return a message of a class, or of one derived from it, decoded from encapsulation header and CDR. Throw
+// cdr::DecodeError for other bytes.
+nb::object decode_message(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes);
+
 inline PyObject*& slot(PyObject* message, Py_ssize_t offset) noexcept {
   return *reinterpret_cast<PyObject**>(reinterpret_cast<char*>(message) + offset);
 }

@@ -223,6 +223,11 @@ class DdsReader:
         Remove the oldest sample: (data, source stamp, received stamp, gid), or None.
         """
 
+    def take_decoded(self, message_class: type) -> tuple[Any, int, int, bytes] | None:
+        """
+        As `take`; but a large sample that can be decoded is a message of `message_class` instead of bytes.
+        """
+
     def feed(self, sink: Sink) -> None:
         """Push every further sample into `sink`, on a thread without Python."""
 

@@ -11,9 +11,11 @@ from tests.conftest import Program
 from tests.rmw.conftest import Peer, peers
 
 from tfloom._native import ReadyQueue, SampleQueue
-from tfloom.rmw.base import NodeName, Participant, Topic
+from tfloom.interfaces.std_msgs.msg import UInt8MultiArray
+from tfloom.rmw.base import NodeName, Participant, Sample, Topic
 from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoS, ReliabilityPolicy
+from tfloom.rosidl import cdr
 
 HEADER = b"\0\1\0\0"
 KEEP_ALL = QoS(history=HistoryPolicy.KEEP_ALL)
@@ -269,3 +271,49 @@ def test_participant_that_announces_itself_at_a_period_of_its_own(domain_id, sta
     program = start_program("python", "-c", code % domain_id)
     assert program.wait() == 0, program.output
     assert program.output == "open"
+
+
+@pytest.mark.parametrize(
+    ("data", "is_decoded"),
+    [
+        (cdr.encode(UInt8MultiArray(data=bytes(range(250)) * 800)), True),
+        (cdr.encode(UInt8MultiArray(data=b"small")), False),
+        (b"\0\1\0\0" + b"\xff" * 200_000, False),  # of another type, or hostile
+        (cdr.encode(UInt8MultiArray(data=bytes(200_000))) + bytes(100), False),  # more than a message
+    ],
+    ids=["large", "small", "hostile", "too long"],
+)
+def test_large_samples_are_decoded_in_place(
+    participant, node, topic, wait_until, data: bytes, is_decoded: bool
+) -> None:
+    reader, writer = (
+        participant.create_reader(node, topic, QoS()),
+        participant.create_writer(node, topic, QoS()),
+    )
+    wait_until(lambda: writer.matched_count() == 1)
+    writer.write(data)
+    writer.write(data)
+    taken: list[Sample] = []
+
+    def both_have_come() -> bool:
+        taken.extend(iter(lambda: reader.take_decoded(UInt8MultiArray), None))
+        return len(taken) == 2
+
+    wait_until(both_have_come)
+    reader.close()  # the messages hold what was received
+    writer.close()
+    expected = cdr.decode(UInt8MultiArray, data) if is_decoded else padded(data)
+    assert [sample.data for sample in taken] == [expected, expected]
+    assert [sample.publisher_gid for sample in taken] == [writer.gid, writer.gid]
+
+
+def test_sample_waits_if_the_class_is_none_of_a_message(participant, node, topic, wait_until) -> None:
+    reader, writer = (
+        participant.create_reader(node, topic, QoS()),
+        participant.create_writer(node, topic, QoS()),
+    )
+    wait_until(lambda: writer.matched_count() == 1)
+    writer.write(b"\0\1\0\0data")
+    with pytest.raises(TypeError):
+        reader.take_decoded(int)
+    wait_until(lambda: reader.take() is not None)

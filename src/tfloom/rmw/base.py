@@ -239,6 +239,9 @@ class Reader(Endpoint, Protocol):
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample, or None. Never blocks."""
 
+    def take_decoded(self, message_class: type) -> Sample | None:
+        """As `take`; but the data may be a message of `message_class`, where the wire decodes it without a copy."""
+
     def publisher_hash(self, gid: bytes) -> str:
         """Return the hash that a publisher has given for its type, by its gid; empty if it is unknown."""
 

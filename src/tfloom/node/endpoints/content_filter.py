@@ -512,6 +512,10 @@ class FilteringReader:
         self._queue, self._token = queue, token
         self.reader.notify(queue, token)
 
+    def take_decoded(self, _message_class: type) -> Sample | None:
+        """As `take`: the data are bytes."""
+        return self.take()
+
     def take(self) -> Sample | None:
         """Remove the oldest samples up to one that is accepted, and return that; None if there is none."""
         for _ in range(MAX_REJECTED):

@@ -212,7 +212,7 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         """Remove the oldest item and return it as `run` takes it, `UNREADABLE`, or None."""
         if self._destroyed:
             return None
-        incoming = self.take_incoming() if self._kept else self._endpoint.take()
+        incoming = self.take_incoming() if self._kept else self._take()
         if incoming is None:
             return None
         try:
@@ -220,6 +220,10 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         except cdr.DecodeError as error:
             self._warn(incoming, error)
             return UNREADABLE
+
+    def _take(self) -> Any:
+        """Remove and return the oldest item on the wire as `_read` takes it, or None."""
+        return self._endpoint.take()
 
     def _read(self, incoming: Any) -> Any:
         """Return an item as `run` takes it.

@@ -245,7 +245,8 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         """Return the message of a sample, which the filter may have decoded."""
         accepted, message = self._accepted
         if accepted is not sample:
-            return cdr.decode(self.msg_type, sample.data)
+            data: Any = sample.data  # a message, if the wire has decoded it
+            return cdr.decode(self.msg_type, data) if type(data) is bytes else data
         self._accepted = (None, None)
         return message
 
@@ -271,6 +272,9 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         """
         self._alive()
         return self._name
+
+    def _take(self) -> Any:
+        return self._endpoint.take() if self.raw else self._endpoint.take_decoded(self.msg_type)
 
     def _read(self, incoming: Sample) -> Any:
         """Return the arguments for the callback."""

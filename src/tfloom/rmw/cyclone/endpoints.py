@@ -223,6 +223,11 @@ class CycloneReader(CycloneEndpoint):
         user_data = next((user_data for peer, user_data in self.matched() if peer == gid), b"")
         return key_values(user_data).get("typehash", "")
 
+    def take_decoded(self, message_class: type) -> Sample | None:
+        """As `take`; but the data of a large sample is a message of `message_class`, if it can be decoded."""
+        sample_fields = self._native.take_decoded(message_class)
+        return None if sample_fields is None else Sample(*sample_fields)
+
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first."""
         self._native.feed(sink)

@@ -234,6 +234,10 @@ class LocalReader(LocalEndpoint):
             if queue is not None and self._waiting:
                 queue.post(token)
 
+    def take_decoded(self, _message_class: type) -> Sample | None:
+        """As `take`: its data are bytes on this wire."""
+        return self.take()
+
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample whose lifespan hasn't ended, or None."""
         with self._lock:

@@ -56,6 +56,10 @@ class _FormReader:
     def __getattr__(self, name: str) -> Any:
         return getattr(self._reader, name)
 
+    def take_decoded(self, _message_class: type) -> Sample | None:
+        """As `take`: the data are bytes."""
+        return self.take()
+
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample, or None."""
         sample = self._reader.take()

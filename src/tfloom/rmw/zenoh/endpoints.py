@@ -548,6 +548,10 @@ class ZenohReader(ZenohEndpoint):
             if queue is not None and self._waiting:
                 queue.post(token)
 
+    def take_decoded(self, _message_class: type) -> Sample | None:
+        """As `take`: its data are bytes on this wire."""
+        return self.take()
+
     def take(self) -> Sample | None:
         """Remove and return the oldest waiting sample whose lifespan hasn't ended, or None."""
         self._check_process()
