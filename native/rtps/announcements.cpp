@@ -19,7 +19,10 @@ constexpr std::uint16_t fast_dds_version_id = 0x8000;
 constexpr std::uint16_t cyclone_version_id = 0x8007;
 constexpr std::size_t cyclone_text_at = 20;  // after five numbers
 
+constexpr std::uint16_t discovery_unicast_locator_id = 0x0032;
+
 constexpr std::uint16_t topic_name_id = 0x0005;
+constexpr std::uint16_t participant_guid_id = 0x0050;
 constexpr std::uint16_t endpoint_guid_id = 0x005a;
 
 constexpr std::uint32_t udp_v4 = 1;
@@ -107,7 +110,8 @@ void Addresses::read(const GuidPrefix& source, const Data& data) {
   }
   auto parameters = parameters_of(data);
   while (const auto parameter = parameters ? parameters->next() : std::nullopt) {
-    if (parameter->id != unicast_locator_id && parameter->id != default_unicast_locator_id) continue;
+    const bool is_of_user = parameter->id == unicast_locator_id || parameter->id == default_unicast_locator_id;
+    if (traffic_ == Traffic::user ? !is_of_user : parameter->id != discovery_unicast_locator_id) continue;
     if (const auto address = address_of(parameter->value)) add(*address, source);
   }
 }
@@ -141,6 +145,70 @@ std::optional<GuidPrefix> Addresses::participant_at(const Address& address) cons
   const GuidPrefix* const participant = participants_.find(address);
   if (participant == nullptr) return std::nullopt;
   return *participant;
+}
+
+namespace {
+
+constexpr EntityId participant_entity = {0x00, 0x00, 0x01, 0xc1};
+constexpr std::size_t max_submessage_size = 0xffff;
+
+void add_bytes(std::vector<std::byte>& out, Bytes bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
+
+void add_number(std::vector<std::byte>& out, std::uint16_t number, bool is_little_endian) {
+  const std::byte low{static_cast<std::uint8_t>(number & 0xff)};
+  const std::byte high{static_cast<std::uint8_t>(number >> 8)};
+  out.push_back(is_little_endian ? low : high);
+  out.push_back(is_little_endian ? high : low);
+}
+
+// Return where the parameters of an endpoint's announcement end, from the start of its payload; nullopt if it is none, or if
+// it names its participant.
+std::optional<std::size_t> end_of_endpoint(const Data& data) {
+  if (data.writer != publications_writer && data.writer != subscriptions_writer) return std::nullopt;
+  auto parameters = parameters_of(data);
+  if (!parameters) return std::nullopt;
+  while (const auto parameter = parameters->next()) {
+    if (parameter->id == participant_guid_id) return std::nullopt;
+  }
+  const std::size_t end = encapsulation_size + parameters->offset();
+  const bool is_little_endian = data.payload[1] == std::byte{3};
+  if (end + 4 > data.payload.size() || Fields(data.payload, is_little_endian).u16(end) != sentinel_id) return std::nullopt;
+  return end;
+}
+
+}  // namespace
+
+std::optional<std::vector<std::byte>> with_participants(Bytes datagram) {
+  auto message = Message::of(datagram);
+  if (!message) return std::nullopt;
+  const Gid participant = gid_of(message->source(), participant_entity);
+  const Bytes guid(reinterpret_cast<const std::byte*>(participant.data()), participant.size());
+  bool is_changed = false;
+  std::vector<std::byte> out(message->header().begin(), message->header().end());
+  while (const auto submessage = message->next()) {
+    if (submessage->kind == Kind::info_src) return std::nullopt;  // what follows is of another participant
+    const auto data = Data::of(*submessage);
+    const auto end = data ? end_of_endpoint(*data) : std::nullopt;
+    const std::size_t size = submessage->bytes.size() - submessage_header_size + 4 + guid.size();
+    if (!end || size > max_submessage_size) {
+      add_bytes(out, submessage->bytes);
+      continue;
+    }
+    const std::size_t start = out.size();
+    const std::size_t at = submessage->bytes.size() - data->payload.size() + *end;
+    add_bytes(out, submessage->bytes.first(at));
+    const bool is_little_endian = data->payload[1] == std::byte{3};
+    add_number(out, participant_guid_id, is_little_endian);
+    add_number(out, static_cast<std::uint16_t>(guid.size()), is_little_endian);
+    add_bytes(out, guid);
+    add_bytes(out, submessage->bytes.subspan(at));
+    std::vector<std::byte> length;
+    add_number(length, static_cast<std::uint16_t>(size), submessage->fields().is_little_endian());
+    std::ranges::copy(length, out.begin() + static_cast<std::ptrdiff_t>(start + 2));
+    is_changed = true;
+  }
+  if (!is_changed) return std::nullopt;
+  return out;
 }
 
 bool is_of_service(std::string_view topic) { return topic.starts_with("rq/") || topic.starts_with("rr/"); }

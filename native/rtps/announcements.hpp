@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rtps/message.hpp"
 #include "rtps/recent_map.hpp"
@@ -33,6 +34,11 @@ constexpr std::size_t max_addresses = 16'384;
 
 class Addresses {
  public:
+  // Where participants receive data of their own endpoints, or what the built-in writers of others send.
+  enum class Traffic { user, discovery };
+
+  explicit Addresses(Traffic traffic = Traffic::user) : traffic_(traffic) {}
+
   // Read what `source` announces of itself in a submessage to the built-in readers; ignore all others.
   void read(const GuidPrefix& source, const Data& data);
 
@@ -49,6 +55,7 @@ class Addresses {
   void add(const Address& address, const GuidPrefix& participant);
   void forget(const GuidPrefix& participant);  // one of its addresses
 
+  Traffic traffic_;
   RecentMap<Address, GuidPrefix> participants_{max_addresses};
   std::map<GuidPrefix, int> address_counts_;  // how many addresses each has
 };
@@ -71,6 +78,11 @@ class Versions {
 
 // Return whether a topic, by its name on the wire, carries the requests or responses of a service.
 bool is_of_service(std::string_view topic);
+
+// Return the datagram in which the announcements of this process's endpoints name their participant, or nullopt if it has
+// none that do not. Fast DDS 3 takes an endpoint's participant, and so its node, from that parameter alone; libddsc sends it
+// for participants only. Others derive it from the endpoint's GUID, and ignore the parameter or check that it agrees.
+std::optional<std::vector<std::byte>> with_participants(Bytes datagram);
 
 // Return the writer of a service's requests or responses that a submessage announces, or nullopt if it announces none.
 std::optional<Gid> announced_service_writer(const Data& data);

@@ -260,6 +260,7 @@ std::size_t ServiceForms::receive(std::span<std::byte> buffer, std::size_t size)
     const auto data = Data::of(*submessage);
     if (data && !is_user_endpoint(data->writer)) {
       addresses_.read(source, *data);
+      discovery_addresses_.read(source, *data);
       if (reads_versions_) versions_.read(source, *data);
       has_inline_peers_ = has_inline_peers_ || is_inline;
       if (const auto writer = is_inline ? announced_service_writer(*data) : std::nullopt) {
@@ -425,6 +426,17 @@ bool ServiceForms::is_of_inline_peer(const Address& address) {
   return participant && uses_inline_form(*participant);
 }
 
+bool ServiceForms::discovers(const Address& address) {
+  if (!has_inline_peers_) return false;
+  constexpr std::uint8_t first_multicast = 224;
+  constexpr std::uint8_t multicast_of_v6 = 0xff;
+  const bool is_v4 = std::all_of(address.bytes.begin(), address.bytes.begin() + 12, [](auto byte) { return byte == 0; });
+  if (is_v4 ? address.bytes[12] >= first_multicast : address.bytes[0] == multicast_of_v6) return true;
+  const std::lock_guard lock(mutex_);
+  const auto participant = discovery_addresses_.participant_at(address);
+  return participant && uses_inline_form(*participant);
+}
+
 std::optional<Gid> ServiceForms::inline_client(const std::array<std::uint8_t, 8>& key) {
   const std::lock_guard lock(mutex_);
   const auto client = inline_clients_.find(key);
@@ -442,6 +454,7 @@ void ServiceForms::forget(const GuidPrefix& participant) {
   const Gid last = gid_of(participant, EntityId{0xff, 0xff, 0xff, 0xff});
   const std::lock_guard lock(mutex_);
   addresses_.erase(participant);
+  discovery_addresses_.erase(participant);
   versions_.erase(participant);
   beginnings_.erase_range_if(first, last, [](const Gid&, const Beginning&) { return true; });
   keys_.erase_range_if(first, last, [this](const Gid&, const auto& key) { return inline_clients_.erase(key) != 0; });

@@ -144,6 +144,9 @@ class ServiceForms {
   // such participant.
   [[nodiscard]] bool is_of_inline_peer(const Address& address);
 
+  // Return whether a participant that uses the inline form receives discovery at an address, or may: a multicast group.
+  [[nodiscard]] bool discovers(const Address& address);
+
   // Return whether there are clients or servers, whose datagrams are to be rewritten.
   [[nodiscard]] bool has_ends() const { return has_ends_; }
 
@@ -212,6 +215,7 @@ class ServiceForms {
   std::mutex mutex_;
   // The rest is guarded by mutex_, except the flags.
   Addresses addresses_;
+  Addresses discovery_addresses_{Addresses::Traffic::discovery};
   Versions versions_;
   std::atomic<bool> reads_versions_ = false;
   std::atomic<bool> has_ends_ = false;

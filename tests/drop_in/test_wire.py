@@ -187,7 +187,7 @@ def test_stock_settings_on_one_host(
     }
     network = "ip link set lo up && ip link set lo multicast on && ip route add 224.0.0.0/4 dev lo || exit 1"
     environment = real_ros.peer.environment(domain_id, PYTHONPATH=os.pathsep.join(map(str, real_ros.sites)))
-    del environment["FASTRTPS_DEFAULT_PROFILES_FILE"]
+    del environment[real_ros.peer.release.profile_variable]
     program = start_program(
         *("unshare", "-rn", "sh", "-c", f"{network}\n{ends[first]}"),
         env=environment,

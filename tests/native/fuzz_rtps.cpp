@@ -537,6 +537,55 @@ void check_versions() {
   check(deaf.version_of(rtps::prefix_of(our_writer)).empty(), "versions are read on request");
 }
 
+// The parameter that names a participant, as libddsc's announcements of endpoints lack it.
+Builder& participant_of(Builder& message, const Gid& endpoint) {
+  Gid participant = endpoint;
+  const Gid entity = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0xc1};
+  std::copy(entity.begin() + 12, entity.end(), participant.begin() + 12);
+  return message.u16(0x50).u16(16).gid(participant);
+}
+
+// A reader's or a writer's announcement, with its participant or without.
+Builder endpoint_announcement(const Gid& endpoint, int kind, bool has_participant, int flags = 5) {
+  Builder message(endpoint);
+  message.stamp(5).begin(0x15, flags).u16(0).u16(16).u32(0).bytes({0, 0, kind, 0xc2}).u32(0).u32(1).bytes({0, 3, 0, 0});
+  message.u16(5).u16(8).u32(4).text("rt/").bytes({0}).u16(0x5a).u16(16).gid(endpoint);
+  if (has_participant) participant_of(message, endpoint);
+  return message.u16(1).u16(0).end();
+}
+
+void check_participants() {
+  for (const int kind : {3, 4}) {
+    const Datagram whole = endpoint_announcement(our_writer, kind, true);
+    const auto completed = rtps::with_participants(endpoint_announcement(our_writer, kind, false));
+    check(completed.has_value() && *completed == whole, "an announced endpoint names its participant");
+    check(!rtps::with_participants(whole), "it names it once");
+  }
+  check(!rtps::with_participants(endpoint_announcement(our_writer, 0, false)), "a participant's list is no endpoint's");
+  check(!rtps::with_participants(endpoint_announcement(our_writer, 3, false, 9)), "a key announces nothing");
+  check(!rtps::with_participants(announcement(our_writer, 7421)), "a participant's announcement stays");
+  check(!rtps::with_participants(Builder(our_writer).stamp(5).data(our_writer, 3, false).encapsulation().end()),
+        "a sample stays");
+  Datagram open = endpoint_announcement(our_writer, 3, false);
+  open.resize(open.size() - 4);  // without the sentinel, to which the length still extends
+  check(!rtps::with_participants(open), "a list without an end stays");
+  Datagram relayed = Builder(our_writer).begin(0x0c, 1).u32(0).bytes({2, 1, 1, 0x10}).u32(7).u32(7).u32(7).end();
+  const Datagram behind = endpoint_announcement(our_writer, 3, false);
+  relayed.insert(relayed.end(), behind.begin() + 20, behind.end());
+  check(!rtps::with_participants(relayed), "the endpoint of another participant stays");
+
+  const rtps::Address discovery = {fast_address.bytes, 7410};
+  const rtps::Address group = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 239, 255, 0, 1}, 7400};
+  ServiceForms forms;
+  check(!forms.discovers(group), "nobody is told without Fast DDS");
+  Builder located(fast_writer);
+  located.begin(0x15, 5).u16(0).u16(16).u32(0).bytes({0, 1, 0, 0xc2}).u32(0).u32(1).bytes({0, 3, 0, 0});
+  located.u16(0x32).u16(24).u32(1).u32(7410).u32(0).u32(0).u32(0).bytes({127, 0, 0, 1}).u16(1).u16(0).end();
+  received(forms, located);
+  check(forms.discovers(discovery) && forms.discovers(group), "Fast DDS is told at its address and by multicast");
+  check(!forms.discovers(fast_address) && !forms.is_of_inline_peer(discovery), "samples have another address");
+}
+
 bool run(std::span<const std::uint8_t> bytes) {
   static std::optional<Target> target;
   if (!target || target->inputs >= inputs_per_target) target.emplace();
@@ -552,6 +601,10 @@ bool run(std::span<const std::uint8_t> bytes) {
     check(target->forms.version_of(rtps::prefix_of(our_writer)).size() <= 32, "a version is short");
     const bool was_taken = target->server->take_header(fast_writer, stamp_ns).has_value();
     return target->client->take_header(fast_writer, stamp_ns).has_value() || was_taken;
+  }
+  if (const auto completed = rtps::with_participants(datagram)) {
+    check(completed->size() > datagram.size() && completed->size() <= 2 * datagram.size(), "participants are added");
+    check(!rtps::with_participants(*completed), "participants are added once");
   }
   if (bytes[1] % 8 == 0) target->client->keep(datagram);
   const bool is_rewritten = target->forms.rewrite(fast_address, datagram, sent);
@@ -581,13 +634,14 @@ int main(int count, char** arguments) {
   check_what_is_forgotten();
   check_bounds();
   check_large_datagrams();
+  check_participants();
   const fuzzing::Bytes request =
       seed(1, 1, Builder(our_writer).stamp(5).data(our_writer, 3, false).encapsulation().header(11).text("ask!").end());
   const fuzzing::Bytes response = seed(0, 6, Builder(fast_writer).stamp(6).data(fast_writer, 1, true)
                                                  .related(our_reader, 0, 3).encapsulation().text("say!").end());
   return fuzzing::fuzz("fuzz_rtps", run,
                        {request, response, seed(0, 8, inline_request(2, 8)), seed(0, 0, announcement(fast_writer, 7421)),
-                        seed(0, 0, writer_announcement(fast_writer)),
+                        seed(0, 0, writer_announcement(fast_writer)), seed(1, 1, endpoint_announcement(our_writer, 3, false)),
                         seed(0, 0, version_announcement(our_writer, 0x8007, cyclone_info("host/11.0.1/Linux/x86"))),
                         seed(0, 0, version_announcement(fast_writer, 0x8000, Datagram(4)))},
                        count, arguments);

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 import pytest
 from tests.conftest import Program
-from tools.ros_peer import NoPeerError, RosPeer, find
+from tools.ros_peer import JAZZY, KILTED, NoPeerError, Release, RosPeer, find
 
 HERE = Path(__file__).parent
 END = HERE / "programs" / "end.py"
@@ -42,6 +42,15 @@ ROWS = (
 )
 """The rows of the table, in order. One without a test is printed as not run, so that it is not forgotten."""
 
+ALSO_BESIDE_KILTED = {
+    "test_listings",
+    "test_messages",
+    "test_qos",
+    "test_services",
+    "test_time_and_transforms",
+}
+"""The files whose tests run beside each release; those of the others run beside Jazzy's."""
+
 ANSWER_S = 60.0
 """The longest time for a verb of an end."""
 
@@ -56,21 +65,38 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         assert row in ROWS, row
         parameters = item.callspec.params if hasattr(item, "callspec") else {}
         direction = parameters.get("direction") or marker.kwargs["direction"]
-        item.user_properties += [("row", row), ("direction", direction)]
+        release = parameters.get("peer", JAZZY).name
+        item.user_properties += [("row", row), ("direction", direction), ("release", release)]
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """Run the tests of some files beside each release."""
+    if "peer" in metafunc.fixturenames:
+        is_beside_all = metafunc.module.__name__.rpartition(".")[2] in ALSO_BESIDE_KILTED
+        releases = (JAZZY, KILTED) if is_beside_all else (JAZZY,)
+        metafunc.parametrize(
+            "peer", releases, indirect=True, scope="session", ids=lambda release: release.name
+        )
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Print the table: of each row and direction, how many tests passed, failed and were skipped."""
-    counts: dict[tuple[str, str], Counter[str]] = {}
+    """Print a table for each release: of each row and direction, how many tests passed, failed and were skipped."""
+    tables: dict[str, dict[tuple[str, str], Counter[str]]] = {}
     for outcome in ("passed", "failed", "error", "skipped"):
         for report in terminalreporter.stats.get(outcome, []):
             properties = dict(report.user_properties)
             if "row" in properties:
+                counts = tables.setdefault(properties["release"], {})
                 cell = counts.setdefault((properties["row"], properties["direction"]), Counter())
                 cell["failed" if outcome == "error" else outcome] += 1
-    if not counts:
-        return
-    terminalreporter.section("tfloom beside the real rclpy on Fast DDS")
+    for release, counts in sorted(tables.items()):
+        _print_table(terminalreporter, release, counts)
+
+
+def _print_table(
+    terminalreporter: pytest.TerminalReporter, release: str, counts: dict[tuple[str, str], Counter[str]]
+) -> None:
+    terminalreporter.section(f"tfloom beside the real rclpy of {release.capitalize()} on Fast DDS")
     cells = [[row, *(_cell(counts.get((row, direction))) for direction in DIRECTIONS)] for row in ROWS]
     table = [["", *DIRECTIONS], *cells]
     widths = [max(map(len, column)) for column in zip(*table, strict=True)]
@@ -134,10 +160,11 @@ StartEnd = Callable[..., End]
 
 
 @pytest.fixture(scope="session")
-def peer() -> RosPeer:
-    """Return the real rclpy; skip the test where there is none."""
+def peer(request: pytest.FixtureRequest) -> RosPeer:
+    """Return the real rclpy of a release; skip the test where there is none."""
+    release: Release = request.param
     try:
-        return find()
+        return find(release=release)
     except NoPeerError as error:
         pytest.skip(str(error))
 

@@ -59,7 +59,7 @@ def start_sides(peer: RosPeer, domain_id: int, start_program: Callable[..., Prog
         def start(*command: Any, **options: Any) -> Program:
             return start_program(*host.enter, *command, **options)
 
-        settings = {"FASTRTPS_DEFAULT_PROFILES_FILE": "", **settings}
+        settings = {peer.release.profile_variable: "", **settings}
         topics = starter(peer, domain_id, start)(vendor, f"{name}_topics", **settings)
         services = starter(peer, domain_id, start, SERVICE_END)(vendor, f"{name}_services", **settings)
         return Side(topics, services)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from tools.ros_peer import PROFILE
+from tools.ros_peer import PROFILE, RosPeer
 
 from .conftest import FROM_US, OURS, THEIRS, Ends, StartEnd, vendors
 
@@ -52,7 +52,7 @@ def test_all_large_messages_arrive(new_ends: Ends, size: int, wait_until: Callab
 
 
 @pytest.fixture
-def best_effort_ends(start_end: StartEnd, direction: str, tmp_path: Path) -> Ends:
+def best_effort_ends(start_end: StartEnd, peer: RosPeer, direction: str, tmp_path: Path) -> Ends:
     """Return new ends, of which that of Fast DDS asks for a receive buffer that holds a message."""
     most = int(Path("/proc/sys/net/core/rmem_max").read_text("ascii"))
     if most < RECEIVE_BUFFER:
@@ -66,7 +66,7 @@ def best_effort_ends(start_end: StartEnd, direction: str, tmp_path: Path) -> End
     )
     started = []
     for vendor, name in zip(vendors(direction), ("the_writer", "the_reader"), strict=True):
-        variables = {"FASTRTPS_DEFAULT_PROFILES_FILE": str(profile)} if vendor == THEIRS else {}
+        variables = {peer.release.profile_variable: str(profile)} if vendor == THEIRS else {}
         started.append(start_end(vendor, name, **variables))
     return Ends(*started)
 

@@ -52,6 +52,36 @@ def test_one_sentence_names_the_reason_where_there_are_no_wheels(
     assert not (tmp_path / "peer").exists()
 
 
+def test_each_release_has_its_own_pythons_and_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    kilted = ros_peer.KILTED
+    with pytest.raises(ros_peer.NoPeerError, match="`make ros-peer ROS_DISTRO=kilted` installs it"):
+        ros_peer.find(tmp_path, kilted)
+    write_record(tmp_path, wheels=digest_of(ros_peer.WHEELS))
+    with pytest.raises(ros_peer.NoPeerError, match="kilted"):
+        ros_peer.find(tmp_path, kilted)  # these are Jazzy's
+    write_record(tmp_path, wheels=digest_of(kilted.wheels))
+    assert ros_peer.find(tmp_path, kilted).python == tmp_path / "bin" / "python"
+    assert len({release.folder for release in ros_peer.RELEASES.values()}) == len(ros_peer.RELEASES)
+    monkeypatch.setattr(ros_peer, "VERSION", (3, 12))
+    assert ros_peer.why_impossible() is None
+    reason = "of kilted are for Python 3.11, and this is 3.12: make ros-peer PYTHON=python3.11"
+    assert reason in (ros_peer.why_impossible(kilted) or "")
+
+
+@pytest.mark.parametrize(
+    ("given", "installed"), [(None, "jazzy"), ("jazzy", "jazzy"), ("kilted", "kilted"), ("rolling", "jazzy")]
+)
+def test_release_of_the_environment_is_installed(
+    given: str | None, installed: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("ROS_DISTRO", raising=False)
+    if given is not None:
+        monkeypatch.setenv("ROS_DISTRO", given)
+    names: list[str] = []
+    monkeypatch.setattr(ros_peer, "install", lambda *, release: names.append(release.name))
+    assert (ros_peer.main(), names) == (0, [installed])
+
+
 def test_a_missing_peer_is_not_found(tmp_path: Path) -> None:
     with pytest.raises(ros_peer.NoPeerError, match="`make ros-peer` installs it"):
         ros_peer.find(tmp_path)
