@@ -475,6 +475,26 @@ def test_many_messages_are_all_received(make: MakeNode) -> None:
     run(main)
 
 
+def test_a_coroutine_that_has_not_begun_at_the_end_is_closed(make: MakeNode) -> None:
+    begun: list[Any] = []
+
+    async def main() -> None:
+        node = make()
+
+        async def on_message(message: Int32) -> None:
+            begun.append(message)
+
+        node.create_subscription(Int32, "a", on_message, 10)
+        node.create_subscription(Int32, "a", lambda _: node.destroy_node(), 10)
+        publisher = node.create_publisher(Int32, "a", 10)
+        publisher.publish(Int32())
+        await node.run()
+
+    run(main)
+    gc.collect()  # a warning of a coroutine that was never awaited would fail the test
+    assert not begun
+
+
 def test_a_node_whose_thread_cannot_be_started(make: MakeNode, monkeypatch: pytest.MonkeyPatch) -> None:
     async def main() -> None:
         node = make()

@@ -34,7 +34,7 @@ def test_each_facade_module_re_exports_its_room(name: str) -> None:
         thing = getattr(module, export)
         defined_in = getattr(thing, "__module__", "tfloom.node")
         if not isinstance(sys.modules.get(str(defined_in)), DefinitionModule):  # a message's, by ROS's name
-            homes = ("tfloom.", "rclpy.", "typing", "builtins", "collections.abc")
+            homes = ("tfloom.", "rclpy.", "typing", "builtins", "collections.abc", "types")
             assert str(defined_in).startswith(homes), export
 
 

@@ -15,6 +15,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Awaitable, Callable, Coroutine, Sequence
 from contextlib import suppress
 from inspect import isawaitable
+from types import CoroutineType
 from typing import TYPE_CHECKING, Any, Generic
 
 from tfloom.common.seconds import to_nanoseconds
@@ -463,6 +464,10 @@ class AsyncNode(BaseNode):
 
     def _completed(self, outcome: Any) -> Any:
         """Return what a callback has returned; a coroutine for the executor where that is to be awaited in asyncio."""
+        if isinstance(
+            outcome, CoroutineType
+        ):  # itself, because Python warns of one that another never came to await
+            return self._finish(self._start(outcome))
         return self._finish(self._start(_as_coroutine(outcome))) if isawaitable(outcome) else outcome
 
     @staticmethod
