@@ -475,23 +475,34 @@ def test_many_messages_are_all_received(make: MakeNode) -> None:
     run(main)
 
 
-def test_a_coroutine_that_has_not_begun_at_the_end_is_closed(make: MakeNode) -> None:
-    begun: list[Any] = []
+@pytest.mark.parametrize("is_own", [False, True])
+def test_a_coroutine_that_has_not_begun_at_the_end_is_closed(is_own: bool, make: MakeNode) -> None:
+    """End the node in the callback after the one that returns a coroutine, or in this one itself."""
+    calls: list[int] = []
+    begun: list[int] = []
 
     async def main() -> None:
         node = make()
 
-        async def on_message(message: Int32) -> None:
-            begun.append(message)
+        async def wait(number: int) -> None:
+            begun.append(number)
+            await asyncio.Event().wait()
 
-        node.create_subscription(Int32, "a", on_message, 10)
-        node.create_subscription(Int32, "a", lambda _: node.destroy_node(), 10)
+        def on_message(message: Int32) -> Any:
+            calls.append(message.data)
+            if is_own or message.data == 1:
+                node.destroy_node()
+            return wait(message.data) if is_own or message.data == 0 else None
+
+        node.create_subscription(Int32, "a", on_message, 10, concurrent=True)
         publisher = node.create_publisher(Int32, "a", 10)
-        publisher.publish(Int32())
+        for number in range(2):
+            publisher.publish(Int32(data=number))
         await node.run()
 
     run(main)
     gc.collect()  # a warning of a coroutine that was never awaited would fail the test
+    assert calls == ([0] if is_own else [0, 1])
     assert not begun
 
 

@@ -438,6 +438,8 @@ class AsyncNode(BaseNode):
         task: asyncio.Task[Any] = self._group.create_task(coroutine)
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
+        if self._is_destroyed:  # by the callback that has returned this
+            task.cancel()
         return task
 
     def destroy_node(self) -> None:
@@ -464,9 +466,8 @@ class AsyncNode(BaseNode):
 
     def _completed(self, outcome: Any) -> Any:
         """Return what a callback has returned; a coroutine for the executor where that is to be awaited in asyncio."""
-        if isinstance(
-            outcome, CoroutineType
-        ):  # itself, because Python warns of one that another never came to await
+        # A coroutine itself is the task, because Python warns of one that another has not come to await.
+        if isinstance(outcome, CoroutineType):
             return self._finish(self._start(outcome))
         return self._finish(self._start(_as_coroutine(outcome))) if isawaitable(outcome) else outcome
 
