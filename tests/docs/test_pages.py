@@ -66,7 +66,40 @@ def test_commands_print_what_the_page_says(
     start_program: Callable[..., Program],
     wait_until: Callable[..., None],
 ) -> None:
-    environment = os.environ | COLCON_PYTHON
+    run_commands(path, folder, start_program, wait_until)
+
+
+@pytest.mark.wire
+@pytest.mark.parametrize("distro", ["kilted", "lyrical"])
+@pytest.mark.parametrize("path", [DOCS / "tutorial" / "follower.md"], ids=name_of)
+def test_programs_of_the_tutorial_run_under_each_distribution(
+    path: Path,
+    folder: Path,
+    distro: str,
+    domain_id: int,
+    start_program: Callable[..., Program],
+    wait_until: Callable[..., None],
+) -> None:
+    """Run the broadcaster and the follower with turtlesim's messages imported as that distribution has them."""
+    changed = []
+    for program in folder.glob("*.py"):
+        text = program.read_text("utf-8")
+        if "from turtlesim." in text:
+            program.write_text(text.replace("from turtlesim.", "from turtlesim_msgs."), "utf-8")
+            changed.append(program.name)
+    assert len(changed) == 2
+    run_commands(path, folder, start_program, wait_until, ROS_DISTRO=distro)
+
+
+def run_commands(
+    path: Path,
+    folder: Path,
+    start_program: Callable[..., Program],
+    wait_until: Callable[..., None],
+    **variables: str,
+) -> None:
+    """Run the commands of a page, and compare what each prints."""
+    environment = os.environ | COLCON_PYTHON | variables
     environment |= {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
     for command in page.steps(page.blocks(path)):
         if not isinstance(command, page.Command):
