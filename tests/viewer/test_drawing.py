@@ -6,9 +6,11 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
+import pytest
 from numpy.typing import NDArray
 
 from tfloom.tf2.transform import Transform
+from tfloom.viewer import drawing
 from tfloom.viewer.drawing import MAX_POINTS_SENT_AGAIN, Drawn, Pose
 from tfloom.viewer.shapes import Points
 
@@ -21,10 +23,9 @@ class FakeScene:
     def __init__(self) -> None:
         self.node: Any = None
 
-    def add_point_cloud(self, name: str, points: Any, colors: Any, **_: object) -> Any:
-        self.node = SimpleNamespace(
-            name=name, points=points, colors=colors, position=np.zeros(3), wxyz=np.eye(4)[0], visible=True
-        )
+    def add_point_cloud(self, name: str, points: Any, colors: Any, **options: Any) -> Any:
+        place = {"position": np.zeros(3), "wxyz": np.eye(4)[0], "visible": True}
+        self.node = SimpleNamespace(name=name, points=points, colors=colors, **place, **options)
         return self.node
 
     def node_pose(self) -> Transform:
@@ -98,3 +99,19 @@ def test_points_far_from_the_origin_keep_their_precision() -> None:
         drawn.change(shape)
         drawn.place(at)
         assert np.allclose(scene.seen(), where(shape.positions, at), atol=1e-3)
+
+
+def test_points_have_a_size_in_pixels_or_in_metres(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene: Any = FakeScene()
+    positions = np.zeros((2, 3), np.float32)
+
+    def size(**options: float) -> tuple[float, str]:
+        drawn.change(Points(positions, RED, **options))
+        return scene.node.point_size, scene.node.point_shape
+
+    drawn = Drawn(scene, "/scan", Points(positions, RED, size_m=0.2, size_px=3.0))
+    assert (scene.node.point_size, scene.node.point_shape) == (-0.003, "square")
+    assert size(size_m=0.5) == (0.5, "circle")
+    assert size(size_m=0.5, size_px=2.0) == (-0.002, "square")
+    monkeypatch.setattr(drawing, "HAS_PIXEL_POINTS", False)  # as with another client of viser
+    assert size(size_m=0.4, size_px=3.0) == (0.4, "circle")

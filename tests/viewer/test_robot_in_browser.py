@@ -1,19 +1,27 @@
-"""Robots in a real browser: one maps its room and is driven by the page; one of a file is moved by sliders."""
+"""Robots in a real browser: one maps its room and is driven by the page; one is of a file; points of measurements."""
 
 from __future__ import annotations
 
 import re
 import signal
 from collections.abc import Callable
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from tests.conftest import Program
 from tests.spun import SpunNode, spun
+from tests.tf2_tools.recordings import START_NS, transform
+from tests.viewer.messages import cloud
 from tests.viewer.test_browser import TIMEOUT_S, Tab, browser, wait_until
 
+from tfloom.bag.values import Topic
+from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.interfaces.nav_msgs.msg import Odometry
+from tfloom.interfaces.tf2_msgs.msg import TFMessage
+from tfloom.rosidl import cdr
 
 __all__ = ["browser"]
 # A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.
@@ -121,3 +129,42 @@ def test_robot_of_a_file_is_moved_by_sliders_and_clicked(
     assert tab.faults == []
     view.signal(signal.SIGINT)
     assert view.wait() == 0, view.output
+
+
+def test_point_is_as_wide_on_the_screen_near_and_far(
+    browser: Any, start_program: Callable[..., Program], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TFLOOM_DPR", "1")
+    point = np.zeros(1, [("x", "f4"), ("y", "f4"), ("z", "f4"), ("rgb", "u4")])
+    point["z"], point["rgb"] = 0.5, 0xFF00FF
+    seen = cloud(point)
+    seen.header.stamp.sec = START_NS // 10**9
+    with closing(BagWriter(tmp_path / "bag")) as writer:
+        tf = writer.add_topic(Topic("/tf", "tf2_msgs/msg/TFMessage"))
+        points = writer.add_topic(Topic("/points", "sensor_msgs/msg/PointCloud2"))
+        for stamp_ns in (START_NS, START_NS + 10**9):
+            moved = TFMessage(transforms=[transform("map", "base", stamp_ns, (0.0, 0.0, 0.0))])
+            writer.push(tf, cdr.encode(moved), stamp_ns, stamp_ns)
+        writer.push(points, cdr.encode(seen), START_NS, START_NS)
+    view = start_program("tfloom", "view", tmp_path / "bag", "--no-open", "--port", "0", "-d", "/points")
+    address = view.wait_for("Open http://127.0.0.1:").removeprefix("Open ")
+    for distance_m in (2.0, 20.0, 200.0):
+        tab = Tab(browser, address, f"&camera={-distance_m},0,0.5&look_at=0,0,0.5")
+        tab.page.evaluate("send({ op: 'axes', length: 0.001 })")
+        tab.page.evaluate("send({ op: 'names', on: false })")
+
+        def width_px(tab: Tab = tab) -> int:
+            pixels = tab.pixels()
+            is_point = (pixels[..., 0] > 150) & (pixels[..., 1] < 110) & (pixels[..., 2] > 150)
+            columns = np.flatnonzero(is_point.any(axis=0))
+            return int(np.ptp(columns)) + 1 if len(columns) else 0
+
+        wait_until(width_px, what=f"the point, from {distance_m} m")
+        tab.keep(f"point_from_{distance_m:g}_m")
+        assert 2 <= width_px() <= 6
+        tab.page.set_viewport_size({"width": 1000, "height": 960})
+        tab.page.wait_for_timeout(500)
+        wait_until(width_px, what=f"the point in a higher window, from {distance_m} m")
+        assert 2 <= width_px() <= 6
+        assert tab.faults == []
+        tab.page.close()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -84,3 +85,17 @@ def test_message_is_passed_on_if_a_scene_may_send_it_and_viser_can_read_it(
 def test_bytes_that_are_no_message_are_not_passed_on() -> None:
     assert not is_readable(b"")
     assert not is_readable(b"\x91" * 100_000)
+
+
+def test_points_have_pixels_only_where_the_client_can_be_changed(tmp_path: Path) -> None:
+    assert viser_private.HAS_PIXEL_POINTS
+    script = (Path(viser_private.__file__).parent / "page" / "scene.js").read_text(encoding="utf-8")
+    assert f'"{viser_private.POINT_SIZE}"' in script
+    assert not viser_private.has_pixel_points(tmp_path)
+    source = tmp_path / "src" / "ThreeAssets.tsx"
+    source.parent.mkdir()
+    for content, is_known in ((viser_private.POINT_SIZE, True), ("gl_PointSize = 3.0;", False)):
+        source.write_text(content, encoding="utf-8")
+        assert viser_private.has_pixel_points(tmp_path) == is_known
+    source.write_bytes(b"\xff" + viser_private.POINT_SIZE.encode())
+    assert not viser_private.has_pixel_points(tmp_path)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from tfloom._native import move_points_float32
 from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
 from tfloom.viewer.displays.display import MAX_COORDINATE_M
+from tfloom.viewer.viser_private import HAS_PIXEL_POINTS, pixel_size
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -92,6 +93,8 @@ class Drawn:
             # A cloud is changed, not replaced: the page keeps its buffers on the graphics card. Its points are sent
             # with its pose.
             self._are_points_new = True
+            if (shape.size_m, shape.size_px) != (before.size_m, before.size_px):
+                self._handle.point_size, self._handle.point_shape = _size_and_form(shape)
             return
         if (
             isinstance(shape, shapes.Picture)
@@ -209,14 +212,22 @@ def _turned(
 _SHADOWLESS: dict[str, Any] = {"cast_shadow": False, "receive_shadow": False}
 
 
+def _size_and_form(shape: shapes.Points) -> tuple[float, Literal["circle", "square"]]:
+    """Return the size and the form of points as viser takes them."""
+    if shape.size_px is not None and HAS_PIXEL_POINTS:
+        return pixel_size(shape.size_px), "square"  # of few pixels, a circle has too few
+    return shape.size_m, "circle"
+
+
 def _add_points(scene: SceneApi, name: str, shape: shapes.Points) -> Any:
+    size, form = _size_and_form(shape)
     return scene.add_point_cloud(
         name,
         shape.positions,
         shape.colors,
-        point_size=shape.size_m,
+        point_size=size,
         precision="float32",
-        point_shape="circle",
+        point_shape=form,
         point_shading="flat",
     )
 

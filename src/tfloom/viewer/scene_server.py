@@ -75,9 +75,12 @@ class SceneServer:
         return self._server.atomic()
 
     def client_html(self) -> bytes:
-        """Return the page of viser's client, in which only the canvas is shown."""
+        """Return the page of viser's client, with the canvas alone, and with points whose sizes may be in pixels."""
         page = Path(viser.__file__).parent / "client" / "build" / "index.html"
-        return page.read_bytes().replace(b"</head>", _STYLE + b"</head>", 1)
+        script = (Path(__file__).parent / "page" / "scene.js").read_bytes()
+        # Before viser's scripts, which take the functions of WebGL as they find them.
+        content = page.read_bytes().replace(b"<head>", b"<head><script>" + script + b"</script>", 1)
+        return content.replace(b"</head>", _STYLE + b"</head>", 1)
 
     def camera(self, page: str) -> Camera | None:
         """Return the camera of a page; None until it has told it."""

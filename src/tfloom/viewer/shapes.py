@@ -49,6 +49,8 @@ class Points:
     colors: NDArray[np.uint8]
     """(N, 3), or (3,) for all."""
     size_m: float = 0.03
+    size_px: float | None = None
+    """In place of that in metres: on the screen, at any distance; None: none."""
 
 
 @dataclass(frozen=True)

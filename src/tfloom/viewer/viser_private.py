@@ -6,6 +6,7 @@ to the internet.
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import msgspec
@@ -17,7 +18,7 @@ from tfloom.viewer.camera import is_usable
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-__all__ = ["connections_of", "is_readable", "open_connections"]
+__all__ = ["HAS_PIXEL_POINTS", "connections_of", "is_readable", "open_connections", "pixel_size"]
 
 SCENE_MESSAGES = (
     "ViewerCameraMessage",
@@ -28,6 +29,8 @@ SCENE_MESSAGES = (
 """What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
 TUNNEL_MESSAGES = ("ShareUrlRequest", "ShareUrlDisconnect")
 """Requests for a tunnel to the internet, which are not handled."""
+POINT_SIZE = "gl_PointSize = (scale / -world_pos.z);"
+"""How the shader of viser's client computes the size of a point; `page/scene.js` replaces it."""
 CAMERA_FIELDS = ("wxyz", "position", "fov", "image_height", "image_width", "look_at")
 
 
@@ -58,6 +61,24 @@ if missing := missing_names(_messages, viser.ViserServer, WebsockServer):
         f"viser {viser.__version__} lacks what tfloom.viewer uses: {', '.join(missing)}; "
         "install a version that the extra `view` names: pip install 'tfloom[view]'"
     )
+
+
+def has_pixel_points(client: Path) -> bool:
+    """Return whether viser's client, by its source beside the compiled one, has what `page/scene.js` replaces."""
+    try:
+        source = (client / "src" / "ThreeAssets.tsx").read_text(encoding="utf-8")
+    except (OSError, ValueError):
+        return False
+    return source.count(POINT_SIZE) == 1
+
+
+HAS_PIXEL_POINTS = has_pixel_points(Path(viser.__file__).parent / "client")
+"""Whether points can have a size in pixels; else they have one in metres."""
+
+
+def pixel_size(size_px: float) -> float:
+    """Return the size that points of viser's client have to have, so that `page/scene.js` takes it for pixels."""
+    return -0.001 * size_px
 
 
 def connections_of(server: viser.ViserServer) -> WebsockServer:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "MAX_COORDINATE_M",
+    "POINT_PX",
     "Display",
     "KeepingDisplay",
     "Latest",
@@ -37,6 +38,8 @@ MAX_TEXT = 200
 
 MAX_COORDINATE_M = 1e12
 """Coordinates at or above this are not drawn: pages compute with numbers of 32 bits [m]."""
+POINT_PX = 3.0
+"""Size of a measured point on the screen [pixels], at any distance, as RViz's points have it."""
 
 
 class Display(Protocol):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tfloom.tf2_ros.point_clouds.point_cloud2 import points_view
-from tfloom.viewer.displays.display import Latest, are_drawable, finite_points, rainbow, stamp_of
+from tfloom.viewer.displays.display import POINT_PX, Latest, are_drawable, finite_points, rainbow, stamp_of
 from tfloom.viewer.shapes import DisplayError, Placed, Points
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ class PointCloudDisplay(Latest):
         if not len(points):
             return []
         chosen = self.choice if self.choice in names else next(name for name in USUAL_FIELDS if name in names)
-        shape = Points(np.ascontiguousarray(positions), _colors(points[chosen], chosen))
+        shape = Points(np.ascontiguousarray(positions), _colors(points[chosen], chosen), size_px=POINT_PX)
         return [Placed(shape, message.header.frame_id, stamp_of(message.header))]
 
 
@@ -71,5 +71,5 @@ def shapes_of_old_cloud(message: Any) -> list[Placed]:
     positions = finite_points(message.points[::step])
     if not len(positions):
         return []
-    shape = Points(positions, rainbow(positions[:, 2]))
+    shape = Points(positions, rainbow(positions[:, 2]), size_px=POINT_PX)
     return [Placed(shape, message.header.frame_id, stamp_of(message.header))]

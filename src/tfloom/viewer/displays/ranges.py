@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tfloom.viewer.displays.display import rainbow, stamp_of
+from tfloom.viewer.displays.display import POINT_PX, rainbow, stamp_of
 from tfloom.viewer.shapes import DisplayError, Mesh, Placed, Points
 
 __all__ = ["shapes_of_range", "shapes_of_scan"]
@@ -57,5 +57,5 @@ def shapes_of_scan(message: Any) -> list[Placed]:
     colors = rainbow(intensities[: len(ranges)][is_hit]) if has_intensities else RED
     if not is_hit.any():
         return []
-    shape = Points(positions[is_hit].astype(np.float32), colors, size_m=0.05)
+    shape = Points(positions[is_hit].astype(np.float32), colors, size_m=0.05, size_px=POINT_PX)
     return [Placed(shape, message.header.frame_id, stamp_of(message.header))]

@@ -1,0 +1,29 @@
+// Runs in the page of viser's client, before it: lets points have a size in pixels, whatever their distance.
+//
+// Viser's points have a size in metres alone, by one line of its shader. A size below zero means here thousandths of a
+// pixel of the page; the shader gets the size of a pixel with each drawing of points, because a window may be resized
+// at any time. A browser without WebGL 2 shows no scene anyway. `viser_private.py` has the line, too, and looks for it.
+"use strict";
+if (window.WebGL2RenderingContext) {
+  const IN_METRES = "gl_PointSize = (scale / -world_pos.z);";
+  const NAME = "tfloom_thousand_by_height";
+  const IN_BOTH = `gl_PointSize = scale < 0.0 ? -scale / projectionMatrix[1][1] * ${NAME} : scale / -world_pos.z;`;
+  const context = WebGL2RenderingContext.prototype;
+  const { shaderSource, drawArrays } = context;
+  const places = new WeakMap();  // of the uniform in each program; null in one that has none
+
+  context.shaderSource = function (shader, source) {
+    const changed = source.includes(IN_METRES)
+      ? source.replace(IN_METRES, IN_BOTH).replace("void main()", `uniform float ${NAME};\nvoid main()`) : source;
+    shaderSource.call(this, shader, changed);
+  };
+  context.drawArrays = function (mode, first, count) {
+    if (mode === this.POINTS) {
+      const program = this.getParameter(this.CURRENT_PROGRAM);
+      if (!places.has(program)) places.set(program, this.getUniformLocation(program, NAME));
+      // Viser's scale is the size by the height of the picture in pixels of the card, of which one of the page has several.
+      if (places.get(program)) this.uniform1f(places.get(program), 1000.0 / Math.max(1, this.canvas.clientHeight));
+    }
+    drawArrays.call(this, mode, first, count);
+  };
+}
