@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from tfloom.tf2.buffer import Buffer
 from tfloom.viewer.frames import (
     MAX_TRAIL_POINTS,
     Span,
+    connected_from,
     default_fixed_frame,
     frames_at,
     frames_behind,
@@ -110,3 +112,44 @@ def test_frames_whose_parents_are_a_ring_end() -> None:
     ring = {"a": "b", "b": "a", "c": "a"}
     assert frames_behind(ring, {"b"}, "map", ["c", "map"]) == {"c"}
     assert default_fixed_frame(ring) in ring
+
+
+def buffer_of(*edges: tuple[str, str, int, int]) -> Buffer:
+    """Return a buffer with transforms from parents to children, each known from one second to another one."""
+    buffer = Buffer(None)
+    for parent, child, first, last in edges:
+        for second in (first, last):
+            buffer.set(parent, child, second * S, (1.0, 0.0, 0.0), STILL, "test")
+    buffer.set("base", "laser", 0, (0.0, 1.0, 0.5), STILL, static=True)
+    return buffer
+
+
+@pytest.mark.parametrize(
+    ("fixed_frame", "edges", "second"),
+    [
+        ("map", [("odom", "base", 1, 99), ("map", "odom", 8, 99)], 8),  # the localization starts later
+        ("base", [("odom", "base", 1, 99), ("map", "odom", 8, 99)], 1),  # half of them
+        ("odom", [("odom", "base", 2, 99), ("moon", "stone", 1, 99)], 2),  # another tree is before
+        ("odom", [("odom", "base", 1, 99), ("base", "wheel", 2, 99)], 2),  # within a second after the others
+        ("odom", [("odom", "base", 1, 99), ("base", "cup", 60, 70)], 1),  # seen now and then
+        ("odom", [("odom", "base", 1, 9), *(("base", cup, 10, 99) for cup in "abc")], 1),  # no cup ever
+        ("moon", [("odom", "base", 3, 99)], 3),  # there is no such frame: as without any
+        ("map", [("odom", "base", 3, 50), ("map", "odom", 60, 99)], 60),  # map to odom, and never to base
+        ("odom", [("odom", "base", 1, 50), ("base", "odom", 60, 99)], 1),  # a loop
+        ("moon", [("odom", "base", 1, 99), ("moon", "odom", 99, 99)], 1),  # at the very end
+    ],
+)
+def test_time_from_which_frames_connect(
+    fixed_frame: str, edges: list[tuple[str, str, int, int]], second: int
+) -> None:
+    buffer = buffer_of(*edges)
+    span = span_of(buffer)
+    assert span is not None
+    assert connected_from(buffer, fixed_frame, span) == second * S
+
+
+def test_time_from_which_many_frames_connect_is_found_at_once() -> None:
+    buffer = buffer_of(*((f"f{number}", f"f{number + 1}", 1 + (number > 3), 9) for number in range(20_000)))
+    started_s = time.thread_time()
+    assert connected_from(buffer, "f0", Span(S, 9 * S)) == 2 * S
+    assert time.thread_time() - started_s < 5.0

@@ -32,3 +32,17 @@ def test_time_is_held_within_the_recording() -> None:
     assert playback.now_ns(SPAN) == 15 * S
     playback.pause(SPAN, 99 * S)
     assert playback.now_ns(SPAN) == 20 * S
+
+
+def test_time_begins_later_and_begins_there_again() -> None:
+    now_s = 0.0
+    playback = Playback(lambda: now_s)
+    playback.start_ns = 13 * S
+    assert playback.now_ns(SPAN) == 13 * S
+    playback.play(SPAN)
+    now_s = 100.0
+    assert (playback.now_ns(SPAN), playback.is_playing) == (20 * S, False)
+    playback.play(SPAN)
+    assert (playback.now_ns(SPAN), playback.is_playing) == (13 * S, True)
+    playback.pause(SPAN, 10 * S)  # by the slider, it goes back to the beginning
+    assert playback.now_ns(SPAN) == 10 * S

@@ -23,6 +23,7 @@ from tfloom.interfaces.geometry_msgs.msg import PoseStamped
 from tfloom.interfaces.std_msgs.msg import Header
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
+from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.recorded import RecordedTopics, recorded_viewer
 
@@ -126,6 +127,61 @@ def test_wrenches_of_a_time_are_the_last_ones_before_it(tmp_path: Path) -> None:
             assert drawn == [(second, pytest.approx(2.6 * (1.0 + second))) for second in seconds]
 
 
+@pytest.fixture
+def late_map(tmp_path: Path) -> Path:
+    """20 s of odom → base, of which map → odom is known from second 7 on."""
+    folder = tmp_path / "late_map"
+    with closing(BagWriter(folder)) as writer:
+        tf = writer.add_topic(Topic("/tf", "tf2_msgs/msg/TFMessage"))
+        for second in range(21):
+            stamp_ns = START_NS + second * S
+            pairs = [("odom", "base"), ("map", "odom")][: 1 + (second >= 7)]
+            moved = TFMessage(transforms=[transform(*pair, stamp_ns, (1.0, 0.0, 0.0)) for pair in pairs])
+            writer.push(tf, cdr.encode(moved), stamp_ns, stamp_ns)
+    return folder
+
+
+def shown_s(viewer: Viewer) -> float:
+    viewer.view.draw()
+    return (int(viewer.view.snapshot()["held_ns"]) - START_NS) / S
+
+
+def test_recording_begins_where_its_frames_connect(late_map: Path) -> None:
+    topics = ("/tf", "/tf_static")
+    with recorded_viewer(late_map, topics=topics) as viewer:
+        assert shown_s(viewer) == 7.0
+        viewer.view.command({"op": "hold", "stamp_ns": str(START_NS)})
+        assert shown_s(viewer) == 0.0  # the slider reaches what is before
+        viewer.view.command({"op": "hold", "stamp_ns": str(START_NS + 20 * S)})
+        viewer.view.command({"op": "play", "on": True})
+        assert 7.0 <= shown_s(viewer) < 20.0
+    with recorded_viewer(late_map, topics=topics, fixed_frame="odom") as viewer:
+        assert shown_s(viewer) == 0.0
+    with recorded_viewer(late_map, topics=topics) as viewer:
+        viewer.apply(Layout(fixed_frame="odom"))
+        assert shown_s(viewer) == 0.0
+    with recorded_viewer(late_map, topics=topics, fixed_frame="nowhere") as viewer:
+        assert shown_s(viewer) == 0.0
+    with recorded_viewer(late_map, topics=topics) as viewer:
+        viewer.view.start_after(2.5)
+        assert shown_s(viewer) == 2.5
+        viewer.view.start_after(0.0)
+        with pytest.raises(ValueError, match=r"of 20\.000 s"):
+            viewer.view.start_after(20.0)
+
+
+@pytest.mark.filterwarnings("ignore::tfloom.bag.errors.BagWarning")
+def test_damaged_recording_begins_where_what_is_left_of_it_connects(late_map: Path) -> None:
+    (file,) = late_map.glob("*.mcap")
+    content = file.read_bytes()
+    file.write_bytes(content[: len(content) * 2 // 3])  # cut off, as by a full disk
+    with recorded_viewer(file, topics=("/tf", "/tf_static")) as viewer:
+        span = viewer.view.snapshot()["span"]
+        assert span is not None
+        assert START_NS + 7 * S < int(span[1]) < START_NS + 20 * S
+        assert shown_s(viewer) == 7.0
+
+
 def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:
     with (
         pytest.raises(BagError, match="no such file"),
@@ -139,6 +195,7 @@ def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:
     [
         (("nothing",), "nothing: there is no such file or folder"),
         (("one", "--bag", "two"), "two recordings, two and one: the page shows one"),
+        (("--start-offset", "3"), "argument --start-offset: only a recording has a start"),
         (("robot.rviz",), "robot.rviz is not a recording; to show a layout: --config robot.rviz"),
     ],
 )
@@ -147,4 +204,13 @@ def test_recording_is_named_with_or_without_the_option(
 ) -> None:
     monkeypatch.setattr(signal, "signal", lambda *_: None)
     assert main(["view", "--no-open", "--port", "0", *words]) == 1
+    assert capfd.readouterr().err.strip() == text
+
+
+def test_start_after_the_end_is_a_sentence(
+    late_map: Path, capfd: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    assert main(["view", "--no-open", "--port", "0", str(late_map), "--start-offset", "99"]) == 1
+    text = "argument --start-offset: 99 s, but the transforms of the recording are of 20.000 s"
     assert capfd.readouterr().err.strip() == text

@@ -102,6 +102,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--port", type=_port, default=None, help=f"the port (default: {PORT}, or a free one if it is used)"
     )
+    parser.add_argument(
+        "--start-offset",
+        metavar="S",
+        type=seconds,
+        default=None,
+        help="begin a recording so many seconds after its first transform (default: where its frames connect)",
+    )
     parser.add_argument("--no-open", action="store_true", help="don't open a browser, only print the address")
     parser.add_argument("--tf-topic", default=TF_TOPIC, help=f"topic of transforms (default: {TF_TOPIC})")
     parser.add_argument(
@@ -186,6 +193,8 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool, publishing: Publish
     """
     robot = _robot_name(args)
     args.bag = _recording(args) if robot is None else None
+    if args.start_offset is not None and args.bag is None:
+        raise CommandError("argument --start-offset: only a recording has a start")
     if not args.history > 0.0:
         raise CommandError(f"argument --history: must be above 0, not {args.history:g}")
     if not is_installed():
@@ -347,6 +356,13 @@ def _open_recording(args: argparse.Namespace) -> Iterator[Viewer]:
 
     try:
         with recorded_viewer(args.bag, topics=_topics(args), fixed_frame=args.fixed_frame) as viewer:
+            if args.start_offset is not None:
+                try:
+                    viewer.view.start_after(args.start_offset)
+                except ValueError as error:
+                    raise CommandError(
+                        f"argument --start-offset: {args.start_offset:g} s, but {error}"
+                    ) from None
             yield viewer
     except BagError as error:
         raise CommandError(str(error)) from None

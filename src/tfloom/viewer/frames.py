@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -16,7 +16,16 @@ if TYPE_CHECKING:
 
     from tfloom.tf2.buffer import Buffer
 
-__all__ = ["FramePoses", "Span", "default_fixed_frame", "frames_at", "frames_behind", "span_of", "trail_of"]
+__all__ = [
+    "FramePoses",
+    "Span",
+    "connected_from",
+    "default_fixed_frame",
+    "frames_at",
+    "frames_behind",
+    "span_of",
+    "trail_of",
+]
 
 USUAL_FIXED_FRAMES = ("map", "odom", "world")
 """Frames that are fixed where nothing is chosen, the first one that exists; then the root of the largest tree."""
@@ -24,6 +33,8 @@ MAX_FRAMES = 2000
 """Number of frames that are drawn."""
 MAX_TRAIL_POINTS = 2000
 """Number of points that a trail has at most."""
+LATER_NS = 1_000_000_000
+"""How much later than the first half the others of the frames may connect with which a recording begins [ns]."""
 
 
 class FramePoses(NamedTuple):
@@ -70,6 +81,49 @@ def span_of(buffer: Buffer) -> Span | None:
     if buffer.cache_time_ns is not None:
         start_ns = max(start_ns, end_ns - buffer.cache_time_ns)
     return Span(start_ns, end_ns)
+
+
+def connected_from(buffer: Buffer, fixed_frame: str, span: Span) -> int:
+    """Return the first time at which the frames connect with the fixed one [ns since epoch].
+
+    It is the time from which half of those that connect at all do, or up to `LATER_NS` later, if more do then: a frame
+    that is seen only now and then, as a thing that a robot finds, doesn't delay all the others.
+
+    Args:
+        buffer: The buffer.
+        fixed_frame: The fixed frame.
+        span: The time for which it has moving transforms.
+
+    Returns:
+        A time in the span, before its end; the start of the span where no frame ever connects.
+    """
+    firsts = sorted(
+        first_ns for first_ns in _connections(buffer, fixed_frame, span) if first_ns < span.end_ns
+    )
+    if not firsts:
+        return span.start_ns
+    last_ns = firsts[(len(firsts) - 1) // 2] + LATER_NS
+    return max(first_ns for first_ns in firsts if first_ns <= last_ns)
+
+
+def _connections(buffer: Buffer, fixed_frame: str, span: Span) -> Iterator[int]:
+    """Yield for each other frame from when on it connects with the fixed one, if it does [ns since epoch]."""
+    neighbours: dict[str, list[tuple[str, Span]]] = {}
+    for edge in buffer.edges():
+        known = span if edge.is_static else Span(edge.oldest_ns, edge.newest_ns)
+        neighbours.setdefault(edge.frame_id, []).append((edge.child_frame_id, known))
+        neighbours.setdefault(edge.child_frame_id, []).append((edge.frame_id, known))
+    # From the fixed frame on, so that each transform is looked at once, however long the chains are.
+    seen = {fixed_frame}
+    waiting = [(fixed_frame, span)]
+    while waiting:
+        name, (start_ns, end_ns) = waiting.pop()
+        for other, known in neighbours.get(name, ()):
+            both = Span(max(start_ns, known.start_ns), min(end_ns, known.end_ns))
+            if other not in seen and both.start_ns <= both.end_ns:
+                seen.add(other)
+                waiting.append((other, both))
+                yield both.start_ns
 
 
 def default_fixed_frame(parents: Mapping[str, str | None]) -> str:

@@ -18,6 +18,8 @@ class Playback:
     """
 
     def __init__(self, clock_s: Callable[[], float] = time.monotonic) -> None:
+        self.start_ns: int | None = None
+        """Where it stands at first, and from where it is played again [ns since epoch]; None: the span's start."""
         self._clock_s = clock_s
         self._shown_ns: int | None = None
         self._started_s: float | None = None
@@ -30,7 +32,7 @@ class Playback:
 
     def now_ns(self, span: Span) -> int:
         """Return the time in the recording's span; at its end, playing ends."""
-        shown_ns = span.start_ns if self._shown_ns is None else self._shown_ns
+        shown_ns = self._first_ns(span) if self._shown_ns is None else self._shown_ns
         if self._started_s is not None:
             shown_ns += int((self._clock_s() - self._started_s) * 1e9)
             if shown_ns >= span.end_ns:
@@ -38,10 +40,13 @@ class Playback:
                 self._shown_ns = span.end_ns
         return span.clamped(shown_ns)
 
+    def _first_ns(self, span: Span) -> int:
+        return span.start_ns if self.start_ns is None else span.clamped(self.start_ns)
+
     def play(self, span: Span) -> None:
         """Let the time run; from the start, where it stands at the end."""
         shown_ns = self.now_ns(span)
-        self._shown_ns = span.start_ns if shown_ns >= span.end_ns else shown_ns
+        self._shown_ns = self._first_ns(span) if shown_ns >= span.end_ns else shown_ns
         self._started_s = self._clock_s()
 
     def pause(self, span: Span, at_ns: int | None = None) -> None:

@@ -29,6 +29,7 @@ from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import (
     FramePoses,
     Span,
+    connected_from,
     default_fixed_frame,
     frames_at,
     frames_behind,
@@ -207,7 +208,7 @@ class SharedView:
         span = span_of(self.buffer)
         if self._playback is not None:
             if span is not None:
-                self._playback.pause(span, stamp_ns)
+                self._begun(self._playback, span).pause(span, stamp_ns)
         else:
             self._held_ns = stamp_ns if stamp_ns is None or span is None else span.clamped(stamp_ns)
 
@@ -216,10 +217,11 @@ class SharedView:
         span = span_of(self.buffer)
         if self._playback is None or span is None:
             raise PageError("there is nothing to play")
+        playback = self._begun(self._playback, span)
         if on:
-            self._playback.play(span)
+            playback.play(span)
         else:
-            self._playback.pause(span)
+            playback.pause(span)
 
     def select(self, frame: str) -> None:
         """Select a frame, in place of the first of two; a selected one is no longer selected."""
@@ -402,10 +404,28 @@ class SharedView:
     def shown_ns(self, span: Span | None) -> int | None:
         """Return the time that is shown [ns since epoch]; None: the newest."""
         if self._playback is not None and span is not None:
-            return self._playback.now_ns(span)
+            return self._begun(self._playback, span).now_ns(span)
         if self._held_ns is None or span is None:
             return None
         return span.clamped(self._held_ns)
+
+    def start_after(self, offset_s: float) -> None:
+        """Let a recording begin so long after its first transform [s], not where its frames connect.
+
+        Raises:
+            ValueError: it ends before.
+        """
+        span = span_of(self.buffer)
+        length_s = 0.0 if span is None else (span.end_ns - span.start_ns) / 1e9
+        if self._playback is None or span is None or not offset_s < length_s:
+            raise ValueError(f"the transforms of the recording are of {length_s:.3f} s")
+        self._playback.start_ns = span.start_ns + int(offset_s * 1e9)
+
+    def _begun(self, playback: Playback, span: Span) -> Playback:
+        """Return what plays, which begins where the frames connect, as soon as it is known which one is fixed."""
+        if playback.start_ns is None:
+            playback.start_ns = connected_from(self.buffer, self.fixed_frame, span)
+        return playback
 
     def draw(self) -> None:
         """Draw everything anew, and observe what is due."""
