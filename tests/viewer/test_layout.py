@@ -33,6 +33,7 @@ FULL = Layout(
     plots=(PlotLayout("/odom", "twist.twist.linear.x"),),
     camera=ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0)),
     camera_frame="base_link",
+    start_offset_s=2.5,
 )
 
 RVIZ = """\
@@ -146,6 +147,8 @@ BROKEN: list[tuple[str | bytes, str]] = [
     ("x: 1\naxes: big\n", r"view\.yaml:1: axes has to be a finite number, not 'big'"),
     ("axes: .nan\n", "axes has to be a finite number"),
     ("axes: 2000.0\n", "axes are from"),
+    ("start_offset: -1\n", "start_offset has to be a number of seconds"),
+    ("start_offset: soon\n", "start_offset has to be a finite number"),
     ("names: 1\n", "names has to be true or false"),
     ("fixed_frame: 3\n", "fixed_frame has to be a text, not 3"),
     ("displays: {}\n", "displays has to be a list"),

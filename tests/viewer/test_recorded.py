@@ -165,9 +165,20 @@ def test_recording_begins_where_its_frames_connect(late_map: Path) -> None:
     with recorded_viewer(late_map, topics=topics) as viewer:
         viewer.view.start_after(2.5)
         assert shown_s(viewer) == 2.5
+        assert viewer.view.layout(None).start_offset_s == 2.5
         viewer.view.start_after(0.0)
         with pytest.raises(ValueError, match=r"of 20\.000 s"):
             viewer.view.start_after(20.0)
+
+
+def test_layout_says_where_a_recording_begins(late_map: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    for offset_s, begins_s in ((2.5, 2.5), (0.0, 0.0), (99.0, 7.0)):
+        with recorded_viewer(late_map, topics=("/tf", "/tf_static")) as viewer:
+            viewer.apply(Layout(start_offset_s=offset_s))
+            assert shown_s(viewer) == begins_s
+            assert viewer.view.layout(None).start_offset_s == offset_s  # as it was read
+    text = "the layout's start_offset, 99 s, is not used: the transforms of the recording are of 20.000 s"
+    assert capfd.readouterr().err.strip() == f"tfloom: {text}"
 
 
 @pytest.mark.filterwarnings("ignore::tfloom.bag.errors.BagWarning")

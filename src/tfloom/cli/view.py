@@ -205,7 +205,9 @@ def serve(args: argparse.Namespace, *, needs_terminal: bool, publishing: Publish
         viewer.layout_path = args.save_config
         if layout is not None:
             # What the command line says counts before the file.
-            viewer.apply(layout._replace(fixed_frame=args.fixed_frame or layout.fixed_frame))
+            start_offset_s = layout.start_offset_s if args.start_offset is None else args.start_offset
+            fixed_frame = args.fixed_frame or layout.fixed_frame
+            viewer.apply(layout._replace(fixed_frame=fixed_frame, start_offset_s=start_offset_s))
         start_pages(viewer, args.host, args.port)
         for topic in args.display:
             viewer.view.want(full_topic_name(topic))

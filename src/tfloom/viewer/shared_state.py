@@ -119,6 +119,8 @@ class SharedView:
         self._is_suspended = False
         self._held_ns: int | None = None
         self._playback = None if is_live else Playback()
+        self._start_offset_s: float | None = None
+        """Where a recording begins, as the command line or a layout says, which is saved again; None: neither does."""
         self._selected: list[str] = []
         self._marked: list[str] = []
         """The frames of the finding that was clicked, as long as there is such a finding."""
@@ -312,6 +314,14 @@ class SharedView:
         self._with_names = layout.with_names
         self._axes_m = layout.axes_m
         self._trails = list(dict.fromkeys(map(_sendable, layout.trails[:MAX_TRAILS])))
+        self._start_offset_s = layout.start_offset_s
+        if layout.start_offset_s is not None and not self._is_live:
+            try:
+                self.start_after(layout.start_offset_s)
+            except ValueError as error:
+                report(
+                    f"tfloom: the layout's start_offset, {layout.start_offset_s:g} s, is not used: {error}"
+                )
         for display in layout.displays:
             self.want(*display)
         for plot in layout.plots:
@@ -346,6 +356,7 @@ class SharedView:
             displays=tuple(displays),
             plots=tuple(PlotLayout(*name) for name in self.plots.names()),
             camera=camera,
+            start_offset_s=self._start_offset_s,
         )
 
     def suspend(self) -> None:
@@ -420,6 +431,7 @@ class SharedView:
         if self._playback is None or span is None or not offset_s < length_s:
             raise ValueError(f"the transforms of the recording are of {length_s:.3f} s")
         self._playback.start_ns = span.start_ns + int(offset_s * 1e9)
+        self._start_offset_s = offset_s
 
     def _begun(self, playback: Playback, span: Span) -> Playback:
         """Return what plays, which begins where the frames connect, as soon as it is known which one is fixed."""

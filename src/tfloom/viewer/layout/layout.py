@@ -60,3 +60,5 @@ class Layout(NamedTuple):
     """The frame at whose place the camera stands when a page is opened; empty: the fixed frame."""
     camera_turns: bool = False
     """Whether it stands as this frame is turned about the vertical, too."""
+    start_offset_s: float | None = None
+    """How long after its first transform a recording begins [s]; None: where its frames connect."""

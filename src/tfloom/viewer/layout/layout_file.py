@@ -18,7 +18,7 @@ from tfloom.viewer.layout.rviz_file import RVIZ_SECTION, rviz_layout
 
 __all__ = ["layout_text", "read_layout"]
 
-KEYS = ("fixed_frame", "names", "axes", "trails", "displays", "plots", "camera")
+KEYS = ("fixed_frame", "names", "axes", "trails", "displays", "plots", "camera", "start_offset")
 DISPLAY_KEYS = frozenset(("topic", "choice", "settings"))
 
 
@@ -40,6 +40,9 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     axes_m = file.number(root, "axes", DEFAULT_AXES_M)
     if not 0.001 <= axes_m <= 1000.0:
         raise file.error(root, "axes are from 0.001 m to 1000 m long")
+    start_offset_s = file.number(root, "start_offset", 0.0)
+    if start_offset_s < 0.0:
+        raise file.error(root, "start_offset has to be a number of seconds that isn't negative")
     displays = []
     for number, row in enumerate(file.items(root, "displays")):
         entry = _entry(file, root, row, "displays")
@@ -67,6 +70,7 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
         plots=tuple(plots),
         camera=ViewPoint(file.point(camera, "position"), file.point(camera, "look_at")) if camera else None,
         camera_frame=file.text(camera, "frame"),
+        start_offset_s=start_offset_s if "start_offset" in root else None,
     )
     return layout, unknown
 
@@ -114,6 +118,8 @@ def layout_text(layout: Layout) -> str:
         }
         if layout.camera_frame:
             values["camera"]["frame"] = layout.camera_frame
+    if layout.start_offset_s is not None:
+        values["start_offset"] = layout.start_offset_s
     return str(yaml.safe_dump(values, sort_keys=False, allow_unicode=True))
 
 
