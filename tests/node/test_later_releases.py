@@ -9,6 +9,7 @@ from collections.abc import Callable
 from datetime import datetime, timedelta
 from functools import partial
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 from tests.conftest import wait_until
@@ -113,6 +114,15 @@ def test_only_an_annotated_parameter_gets_the_times() -> None:
         assert info_parameter(plain) == "info"
     plain.__annotations__ = {"return": TimerInfo}
     assert info_parameter(plain) is None
+    assert info_parameter(partial(partial(holder.method), 1)) == "info"
+
+
+def test_a_mock_is_a_timers_callback(make_node: MakeNode) -> None:
+    callback = Mock()  # has each attribute that it is asked for, `func` of `func` too
+    assert info_parameter(callback) is None
+    timer = make_node("mocked").create_timer(1.0, callback)
+    timer.run(True)
+    callback.assert_called_once_with()
 
 
 def test_wrong_times_of_a_call_are_refused() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from functools import partial
 from importlib import import_module
 from types import MethodType
 from typing import TYPE_CHECKING, Any
@@ -79,7 +80,7 @@ class TimerInfo:
 def info_parameter(callback: Callable[..., Any] | None) -> str | None:
     """Return the parameter of a timer's callback that is annotated as TimerInfo; None if there is none."""
     function: Any = callback
-    while hasattr(function, "func"):  # of functools.partial
+    while isinstance(function, partial):
         function = function.func
     if isinstance(function, MethodType):
         function = function.__func__
