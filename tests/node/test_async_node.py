@@ -218,6 +218,41 @@ def test_what_a_callback_raises_ends_the_node(is_coroutine: bool, make: MakeNode
         run(node.run)
 
 
+def test_a_callback_that_raises_cancelled_error_ends_the_node(make: MakeNode) -> None:
+    node = make()
+
+    def fail(message: Int32) -> None:
+        raise asyncio.CancelledError  # as the result of a cancelled future does
+
+    async def main() -> None:
+        node.create_subscription(Int32, "a", fail, 10)
+        publisher = node.create_publisher(Int32, "a", 10)
+        async with node:
+            publisher.publish(Int32())
+            await asyncio.Event().wait()
+
+    with pytest.RaisesGroup(pytest.RaisesExc(RuntimeError, match="CancelledError"), flatten_subgroups=True):
+        run(main)
+
+
+def test_a_node_can_be_destroyed_after_its_loop_was_closed(make: MakeNode) -> None:
+    node = make()
+    loop = asyncio.new_event_loop()
+
+    async def begin() -> asyncio.Task[Any]:
+        await node.__aenter__()
+        return asyncio.create_task(node.get_clock().sleep(60.0))
+
+    task = loop.run_until_complete(begin())
+    loop.run_until_complete(asyncio.sleep(0.01))
+    loop.close()
+    task._log_destroy_pending = False  # type: ignore[attr-defined]
+    node.destroy_node()
+    assert "tfloom_async_node" not in threads()
+    with pytest.raises(InvalidHandle):
+        node.get_name()
+
+
 def test_what_the_body_raises_leaves_it(make: MakeNode) -> None:
     async def main() -> None:
         async with make():

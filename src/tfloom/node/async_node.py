@@ -12,7 +12,7 @@ import asyncio
 import sys
 import threading
 from abc import ABC, abstractmethod
-from collections.abc import Awaitable, Callable, Coroutine, Sequence
+from collections.abc import Awaitable, Callable, Coroutine, Iterable, Sequence
 from contextlib import suppress
 from inspect import isawaitable
 from types import CoroutineType
@@ -342,8 +342,7 @@ class AsyncClock(BaseClock):
     def destroy(self) -> None:
         """Cancel the tasks that sleep. Destroying again does nothing."""
         self._is_destroyed = True
-        for task in list(self._sleepers):
-            task.cancel()
+        _cancel(list(self._sleepers))
 
 
 class AsyncNode(BaseNode):
@@ -428,7 +427,13 @@ class AsyncNode(BaseNode):
     async def _run_executor(self, executor: _LoopExecutor, waker: _Waker) -> None:
         while not self._is_destroyed:
             await waker.wait()
-            executor.run_ready()
+            try:
+                executor.run_ready()
+            except asyncio.CancelledError as error:
+                # Of a callback, because nothing is awaited there. The group would take it for this task's end.
+                raise RuntimeError(
+                    "a callback raised CancelledError, though nobody has cancelled it"
+                ) from error
             waker.go_on()
 
     def _start(self, coroutine: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
@@ -450,8 +455,7 @@ class AsyncNode(BaseNode):
         self._clock.destroy()
         # The task that calls this ends by itself, as a callback of the node may.
         current = asyncio.current_task() if _is_in_loop() else None
-        for task in [task for task in self._tasks if task is not current]:
-            task.cancel()
+        _cancel([task for task in self._tasks if task is not current])
         waker, self._waker = self._waker, None
         if waker is not None:
             waker.close()
@@ -460,7 +464,8 @@ class AsyncNode(BaseNode):
             executor.shutdown(0)
         self._node.destroy_node()
         if self._ended is not None:
-            self._ended.set()
+            with suppress(RuntimeError):  # the loop was closed
+                self._ended.set()
 
     # Callbacks
 
@@ -674,6 +679,12 @@ class AsyncNode(BaseNode):
 
 def _group_of(concurrent: bool) -> CallbackGroup:
     return ReentrantCallbackGroup() if concurrent else MutuallyExclusiveCallbackGroup()
+
+
+def _cancel(tasks: Iterable[asyncio.Task[Any]]) -> None:
+    for task in tasks:
+        with suppress(RuntimeError):  # its loop was closed
+            task.cancel()
 
 
 async def _as_coroutine(awaitable: Awaitable[Any]) -> Any:
