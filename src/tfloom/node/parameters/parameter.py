@@ -69,7 +69,9 @@ class ParameterType(IntEnum):
 
     # Printed by its name: in a sentence, a number says nothing.
     __str__ = Enum.__str__
-    __format__ = Enum.__format__
+
+    def __format__(self, format_spec: str) -> str:
+        return str(self).__format__(format_spec)  # that of Enum prints the number before Python 3.11
 
     @classmethod
     def from_parameter_value(cls, parameter_value: Any) -> ParameterType:
