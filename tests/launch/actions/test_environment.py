@@ -84,3 +84,7 @@ def test_variables_stay_where_a_value_of_their_replacement_is_missing(context: L
     with pytest.raises(SubstitutionFailure, match="nowhere"):
         ReplaceEnvironmentVariables({"A": LaunchConfiguration("nowhere")}).visit(context)
     assert dict(os.environ) == before
+    for name, value in (("A=B", "1"), ("", "1"), ("A", "\0")):
+        with pytest.raises(ValueError, match=f"can't be replaced by one of 'OK', {name!r}: "):
+            ReplaceEnvironmentVariables({"OK": "1", name: value}).visit(context)
+        assert dict(os.environ) == before

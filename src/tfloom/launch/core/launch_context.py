@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, MutableMapping, Sequence
 from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any, Protocol
 
+from tfloom.common.text import shortened
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.private_names import HasPrivateNames
 from tfloom.launch.core.run_state import HandlesEvents, RunState
@@ -174,8 +175,15 @@ class LaunchContext(HasPrivateNames):
         self._replace_environment(self._initial_environment)
 
     def _replace_environment(self, environment: Mapping[str, str]) -> None:
+        before = dict(os.environ)
         os.environ.clear()
-        os.environ.update(environment)
+        try:
+            os.environ.update(environment)
+        except (ValueError, OSError) as error:
+            os.environ.clear()
+            os.environ.update(before)
+            names = shortened(", ".join(map(repr, environment)))
+            raise ValueError(f"the environment can't be replaced by one of {names}: {error}") from error
 
     # Events
 
