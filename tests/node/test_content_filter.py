@@ -344,6 +344,39 @@ def test_a_filter_that_is_set_while_the_node_spins(
     assert got == [2, 3]
 
 
+def test_a_flood_ahead_of_a_filter_that_is_set_while_the_node_spins(
+    node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(content_filter, "MAX_REJECTED", 5)
+    got: list[int] = []
+    qos = QoSProfile(depth=1000)
+    subscription = node.create_subscription(Int32, "a", lambda message: got.append(message.data), qos)
+    publisher = node.create_publisher(Int32, "a", qos)
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0)
+    subscription.set_content_filter("data = 99", [])
+    for number in range(100):
+        publisher.publish(Int32(data=number))
+    spin_until(lambda: got)
+    assert got == [99]
+
+
+def test_each_message_is_that_of_its_own_sample(node: Node) -> None:
+    got: list[int] = []
+    subscription = node.create_subscription(
+        Int32, "a", lambda message: got.append(message.data), 10, content_filter_options=options("data > 0")
+    )
+    publisher = node.create_publisher(Int32, "a", 10)
+    for number in range(4):
+        publisher.publish(Int32(data=number))
+    assert (
+        subscription.has_next()
+    )  # keeps the first one, and the filter accepts the others behind it meanwhile
+    for _ in range(3):
+        subscription.run(subscription.take())
+    assert got == [1, 2, 3]
+
+
 def test_a_flood_of_rejected_messages_holds_up_nobody(
     node: Node, executor: SingleThreadedExecutor, spin_until: SpinUntil, monkeypatch: pytest.MonkeyPatch
 ) -> None:

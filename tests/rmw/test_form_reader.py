@@ -160,6 +160,23 @@ def test_publisher_without_a_known_hash_is_warned_of_once(
     assert capfd.readouterr().err.count(text) == 1
 
 
+def test_a_publishers_hash_may_become_known_after_its_first_event(
+    make_node: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    participant = make_node("subscribes")._NodeBase__entities.participant()
+    own, topic = NodeName("/", "own"), Topic("/events", TYPE, OLDER.type_hash)
+    reader: Any = form_reader.create_reader(participant, own, topic, QoS(), lambda _: None)
+    writer = participant.create_writer(own, topic._replace(type_hash=NEWER.type_hash), QoS())
+    for _ in range(2):
+        writer.write(cdr.encode(newer(7, 1)))
+    with monkeypatch.context() as patch:
+        patch.setattr(type(reader._reader), "publisher_hash", lambda self, gid: "")
+        assert reader.take().data == cdr.encode(newer(7, 1))
+    assert reader.take().data == older(timestamp=7_000_000_001)
+    reader.close()
+    writer.close()
+
+
 def test_damaged_and_raw_events(make_node: Any, capfd: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(form_reader, "MAX_PUBLISHERS", 1)
     node = make_node("subscribes")

@@ -483,14 +483,15 @@ def test_messages_are_sequenced_by_their_stamps(sim: Sim, executor: SingleThread
     look()
     assert passed_on == [8.5, 9.0]
     sim.subscribers[0].callback(point(8.9))  # too late
+    sim.subscribers[0].callback(point(9.0))  # as the last one, which is not
     sim.show(10.5)
     look()
-    assert passed_on == [8.5, 9.0, 9.5]
+    assert passed_on == [8.5, 9.0, 9.0, 9.5]
     for at in (11.0, 12.0, 13.0, 10.0):  # of four, the oldest is dropped
         sequencer.add(point(at))
     sim.show(20)
     look()
-    assert passed_on[3:] == [11.0, 12.0, 13.0]
+    assert passed_on[4:] == [11.0, 12.0, 13.0]
 
 
 def test_a_sequencer_begins_anew_after_a_jump_backward(sim: Sim, executor: SingleThreadedExecutor) -> None:
