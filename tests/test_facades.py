@@ -65,7 +65,7 @@ def hands_on(node: ast.stmt) -> bool:
     if ast.unparse(node) in {"from typing import TYPE_CHECKING", "TYPE_CHECKING = False"}:
         return True
     if isinstance(node, ast.If):
-        return defers(node)
+        return defers(node) or chooses(node)
     if isinstance(node, ast.ImportFrom):
         return (node.module or "").split(".")[0] in {"tfloom", "tfloom_sensing", "__future__"}
     if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
@@ -74,6 +74,14 @@ def hands_on(node: ast.stmt) -> bool:
         target = node.targets[0] if isinstance(node, ast.Assign) else node.target
         return ast.unparse(target) == "__all__"
     return isinstance(node, (ast.Expr, ast.Import))
+
+
+def chooses(node: ast.If) -> bool:
+    """Return whether a statement imports turtlesim's classes from the package of the distribution that is followed."""
+    return ast.unparse(node.test) == "TYPE_CHECKING or _TURTLESIM_PACKAGE == 'turtlesim'" and all(
+        isinstance(statement, ast.ImportFrom) and hands_on(statement)
+        for statement in [*node.body, *node.orelse]
+    )
 
 
 def defers(node: ast.If) -> bool:

@@ -16,8 +16,8 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rmw.typed_names import topic_of
-from tfloom.tf2_tools.static_transforms.file import encoded, file_text
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_file import encoded, file_text
+from tfloom.tf2_tools.static_transform import StaticTransform
 from tfloom.tf2_tools.watch.model import Observation
 
 MAX_EXPLANATIONS = 12

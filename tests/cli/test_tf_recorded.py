@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from tests.bag.recordings import drive, write_mcap
 
-from tfloom.tf2_tools.static_transforms.file import file_text, read_statics
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_file import file_text, read_statics
+from tfloom.tf2_tools.static_transform import StaticTransform
 
 LIDAR = StaticTransform("base_link", "lidar", (0.5, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
 Run = Callable[..., tuple[int, str]]

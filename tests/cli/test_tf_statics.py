@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from tfloom.tf2_tools.static_transforms.file import file_text, read_statics
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_file import file_text, read_statics
+from tfloom.tf2_tools.static_transform import StaticTransform
 
 Run = Callable[..., tuple[int, str]]
 

@@ -21,10 +21,10 @@ from tfloom.interfaces.visualization_msgs.msg import (
 )
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import Time
+from tfloom.tf2_ros import message_filters
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_interface import TransformRegistration
-from tfloom.tf2_ros.filters import message_filters
-from tfloom.tf2_ros.filters.message_filter import MessageFilter
+from tfloom.tf2_ros.message_filter import MessageFilter
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom_sensing.diagnostic_tasks import CompositeDiagnosticTask, FunctionDiagnosticTask
 from tfloom_sensing.diagnostic_updater import Updater

@@ -217,10 +217,10 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "ConvertRegistration.add_to_msg(callback)": "transform_registration",
         "TransformRegistration.add(callback)": "transform_registration",
     },
-    "tf2_ros.filters.message_filter": {
+    "tf2_ros.message_filter": {
         "MessageFilter.registerFailureCallback(callback)": "filter_failure",
     },
-    "tf2_ros.filters.message_filters": {
+    "tf2_ros.message_filters": {
         "SimpleFilter.registerCallback(cb)": "filter_itself",
     },
     "tfloom_sensing.diagnostic_tasks": {

@@ -41,8 +41,8 @@ from tfloom.tf2.errors import TransformException
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_client import BufferClient
 from tfloom.tf2_ros.buffer_server import BufferServer
-from tfloom.tf2_ros.filters.message_filter import MessageFilter
-from tfloom.tf2_ros.filters.message_filters import (
+from tfloom.tf2_ros.message_filter import MessageFilter
+from tfloom.tf2_ros.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,
     Chain,

@@ -58,7 +58,6 @@ WRITERS = {
     "common/files.py": OF_THE_CALLER,
     "common/terminal.py": "- /dev/null",
     "workspace/colcon/environment.py": OF_A_BUILD,
-    "workspace/colcon/prefix_scripts.py": OF_A_BUILD,
     "workspace/colcon/pytest_tests.py": OF_A_BUILD,
     "workspace/create.py": OF_A_COMMAND,
     "workspace/installing.py": OF_A_BUILD,

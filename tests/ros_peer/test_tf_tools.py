@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from tfloom.tf2_tools.static_transforms.file import file_text, read_statics
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_file import file_text, read_statics
+from tfloom.tf2_tools.static_transform import StaticTransform
 
 from .conftest import FROM_US, THEIRS, TO_US, StartEnd
 from .test_time_and_transforms import STAMP_NS, STATIC, tf_peer

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tfloom_sensing.cv_types import CV_MAT_CNWrap, CV_MAT_DEPTHWrap, getCvType
 from tfloom_sensing.image_conversion import cvtColor2, saturate
 from tfloom_sensing.image_encodings import ImageError, find_encoding
+from tfloom_sensing.opencv import CV_MAT_CNWrap, CV_MAT_DEPTHWrap, getCvType
 
 RED, GREEN, BLUE = 210, 120, 30
 ORDERS = ("mono", "rgb", "bgr", "rgba", "bgra")

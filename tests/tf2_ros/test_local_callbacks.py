@@ -20,7 +20,7 @@ from geometry_msgs.msg import PointStamped, TransformStamped
 from rclpy.duration import Duration
 from rclpy.time import Time
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformBroadcaster, TransformListener
-from tfloom.tf2_ros.filters.message_filter import MessageFilter
+from tfloom.tf2_ros.message_filter import MessageFilter
 
 IS_LOCAL = rclpy.get_rmw_implementation_identifier() == "tfloom_local"
 LATEST = Time(seconds=1)

@@ -14,14 +14,14 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import ClockType, Time
+from tfloom.tf2_ros import message_filters
 from tfloom.tf2_ros.buffer import Buffer
-from tfloom.tf2_ros.filters import message_filters
-from tfloom.tf2_ros.filters.message_filter import (
+from tfloom.tf2_ros.message_filter import (
     FilterFailureReason,
     MessageFilter,
     get_filter_failure_reason_string,
 )
-from tfloom.tf2_ros.filters.message_filters import SimpleFilter, Subscriber
+from tfloom.tf2_ros.message_filters import SimpleFilter, Subscriber
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.tf2_ros.transform_listener import TransformListener
 

@@ -21,8 +21,8 @@ from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.time import ClockType, Time
-from tfloom.tf2_ros.filters import message_filters
-from tfloom.tf2_ros.filters.message_filters import (
+from tfloom.tf2_ros import message_filters
+from tfloom.tf2_ros.message_filters import (
     ApproximateTimeSynchronizer,
     Cache,
     Chain,

@@ -35,7 +35,7 @@ from geometry_msgs.msg import PointStamped, TransformStamped
 from rclpy.node import Node
 from rclpy.time import Time
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
-from tfloom.tf2_ros.filters.message_filter import MessageFilter
+from tfloom.tf2_ros.message_filter import MessageFilter
 
 kind, end = sys.argv[1:]
 rclpy.init()

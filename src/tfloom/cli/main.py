@@ -44,7 +44,7 @@ COMMANDS: dict[str, str | Group] = {
             "reindex": "Reconstruct metadata file for a bag",
         },
         file="bag.queries",
-        own_files=("burst", "convert", "play", "record", "reindex"),
+        own_files=("burst", "convert", "play", "record"),
     ),
     "component": Group(
         "Inspect the containers of components that others run, and load components into them",

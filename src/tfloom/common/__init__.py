@@ -1,7 +1,7 @@
 """What all rooms use, and what knows none of them.
 
 - files: files that appear complete or not at all; files whose names come from outside
-- yaml, yaml_scanner, written_values: the one door for reading YAML, with limits; tabs as libyaml takes them
+- yaml, yaml_scanner: the one door for reading YAML, with limits; tabs as libyaml takes them
 - xml: the one door for XML: launch files, package.xml, URDF
 - terminal, keyboard: what a terminal would obey, shown; single keys from a terminal
 - signals: handlers of signals that run after a block

@@ -1,10 +1,12 @@
-"""Values and times in the texts of errors and in output."""
+"""Values and times in the texts of errors and in output, and values of which it is known how they were written."""
 
 from __future__ import annotations
 
 import reprlib
+from typing import Any, NamedTuple
 
-__all__ = ["describe_machine_clock", "given_text", "shortened", "utc_text"]
+__all__ = ["PlainValue", "QuotedText", "describe_machine_clock", "given_text", "shortened", "utc_text"]
+
 
 MAX_VALUE = 200
 """Length of the part of a value that an error shows [characters]."""
@@ -41,3 +43,18 @@ def describe_machine_clock(time_ns: int) -> str:
 
     utc = datetime(1970, 1, 1, tzinfo=timezone.utc) + timedelta(seconds=time_ns // 1_000_000_000)
     return f"the machine's clock says {utc:%Y-%m-%d %H:%M:%S} UTC ({time_ns / 1e9:.0f} s since 1970)"
+
+
+class QuotedText(str):
+    """A text that is in quotes in YAML, so it is one whatever ROS's rules read in a plain one."""
+
+    __slots__ = ()
+
+
+class PlainValue(NamedTuple):
+    """A value without quotes that YAML takes for no text, as `off`: a field of a message may be one."""
+
+    text: str
+    """As it is written."""
+    value: Any
+    """By YAML's rules."""

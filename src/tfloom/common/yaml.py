@@ -18,7 +18,7 @@ from yaml.constructor import SafeConstructor
 from yaml.parser import Parser
 from yaml.resolver import Resolver
 
-from tfloom.common.written_values import PlainValue, QuotedText
+from tfloom.common.text import PlainValue, QuotedText
 from tfloom.common.yaml_scanner import TabScanner
 
 __all__ = ["YamlError", "YamlLimitError", "compose_all", "load", "load_placed", "load_plain"]

@@ -16,7 +16,7 @@ from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
-from tfloom.tf2_tools.static_transforms.transform import USAGE, ArgumentsError, StaticTransform, parse
+from tfloom.tf2_tools.static_transform import USAGE, ArgumentsError, StaticTransform, parse
 
 READ_ONLY = ParameterDescriptor(read_only=True)
 

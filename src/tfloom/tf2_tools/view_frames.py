@@ -20,7 +20,7 @@ from tfloom.node.program import run_program
 from tfloom.rmw.base import NodeName
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.transform_listener import TransformListener
-from tfloom.tf2_tools.static_transforms.file import StaticFileError
+from tfloom.tf2_tools.static_file import StaticFileError
 from tfloom.tf2_tools.tree_pictures.records import FrameRecord, parse_frames_yaml, write_gv
 from tfloom.tf2_tools.tree_pictures.tree import FrameTree, build_tree, tree_json
 from tfloom.tf2_tools.watch.live import LiveWatch

@@ -19,8 +19,8 @@ from tfloom.robot.urdf_faults import Remarks, UrdfError
 from tfloom.robot.xacro_program import main as expand_xacro
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.static_transforms.file import encoded
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_file import encoded
+from tfloom.tf2_tools.static_transform import StaticTransform
 from tfloom.tf2_tools.watch.recorded import observe_recorded
 from tfloom.tf2_tools.watch.sources import Still
 from tfloom.viewer.joints import AUTHORITY, DescribedJoints

@@ -30,8 +30,15 @@ from tfloom.tf2_tools.drawing.shapes import Box, Group, Shape, Text
 from tfloom.tf2_tools.drawing.shapes import Path as Line
 from tfloom.tf2_tools.drawing.svg import svg_text
 from tfloom.tf2_tools.tree_pictures.graph import Graph, wrapped
-from tfloom.tf2_tools.tree_pictures.pictures import A4, GRAPH_SIZE, draw_page, draw_pages
-from tfloom.tf2_tools.tree_pictures.table import ROW, Table, one_page
+from tfloom.tf2_tools.tree_pictures.pictures import (
+    A4,
+    GRAPH_SIZE,
+    ROW,
+    Table,
+    draw_page,
+    draw_pages,
+    one_page,
+)
 from tfloom.tf2_tools.tree_pictures.tree import FrameTree, build_tree
 
 PICTURES = Path(__file__).parent / "pictures"

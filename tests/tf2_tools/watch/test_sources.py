@@ -11,8 +11,8 @@ from tests.bag.test_ros1 import write as write_ros1
 from tfloom.bag.errors import BagError
 from tfloom.bag.tf_frames import frames
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.static_transforms.file import file_text
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_file import file_text
+from tfloom.tf2_tools.static_transform import StaticTransform
 from tfloom.tf2_tools.watch.sources import open_path
 
 BAGS = Path(__file__).parents[2] / "golden" / "bags"

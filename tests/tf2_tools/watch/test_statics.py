@@ -8,7 +8,7 @@ from pathlib import Path
 from tests.tf2_tools.recordings import START_NS, recorded, transform
 
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
-from tfloom.tf2_tools.static_transforms.file import file_text, read_statics
+from tfloom.tf2_tools.static_file import file_text, read_statics
 from tfloom.tf2_tools.watch.difference import links_of
 from tfloom.tf2_tools.watch.model import Observation
 from tfloom.tf2_tools.watch.recorded import observe_recorded

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from tfloom.interfaces.sensor_msgs.msg import CompressedImage, Image
 from tfloom.interfaces.std_msgs.msg import Header
-from tfloom_sensing.cv_types import DEPTHS, CV_MAT_CNWrap, CV_MAT_DEPTHWrap, cv_type, getCvType
 from tfloom_sensing.image_conversion import cvtColor2
 from tfloom_sensing.image_encodings import Encoding, ImageError, find_encoding
 from tfloom_sensing.image_files import decode_picture, encode_picture
+from tfloom_sensing.opencv import DEPTHS, CV_MAT_CNWrap, CV_MAT_DEPTHWrap, cv_type, getCvType
 
 __all__ = ["CvBridge", "CvBridgeError"]
 

@@ -1,4 +1,4 @@
-"""The verbs of `bag` that print what is there."""
+"""The verbs of `bag` that print what is there, or write its metadata anew."""
 
 from __future__ import annotations
 
@@ -66,4 +66,22 @@ def list_main(args: argparse.Namespace) -> int:
     """Print the names of the storage plugins of one kind."""
     for name, text in KINDS[args.plugin_type].items():
         print(f"{name}: {text}" if args.verbose else name)
+    return 0
+
+
+def add_reindex_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of `bag reindex`."""
+    parser.add_argument("bag_path", type=conventions.bag_path, help="the bag's folder")
+    conventions.add_storage(parser)
+
+
+def reindex_main(args: argparse.Namespace) -> int:
+    """Write metadata.yaml anew, from what the files of the bag hold."""
+    from tfloom.bag.reindexing import reindex
+
+    path = Path(args.bag_path)
+    if not path.is_dir():
+        raise conventions.error("Must specify a bag directory")
+    with conventions.explained():
+        reindex(path, args.storage)
     return 0

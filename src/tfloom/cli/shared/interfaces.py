@@ -9,7 +9,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from tfloom.cli.shared.errors import CommandError
-from tfloom.common.written_values import PlainValue
+from tfloom.common.text import PlainValue
 from tfloom.rosidl import cdr, registry
 from tfloom.rosidl.fill import Filler, StampSetter
 from tfloom.rosidl.message import Message

@@ -145,7 +145,7 @@ def _listened(args: argparse.Namespace) -> Subject:
 def _read(path: Path, args: argparse.Namespace) -> Subject:
     from tfloom.bag.errors import BagError
     from tfloom.tf2_tools.diagnosis.recorded import read
-    from tfloom.tf2_tools.static_transforms.file import StaticFileError
+    from tfloom.tf2_tools.static_file import StaticFileError
 
     try:
         return read(path, with_topics=args.topics, topics=_topics(args))

@@ -66,7 +66,7 @@ def main(args: argparse.Namespace) -> int:
     from tfloom.common.files import write_file
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2.errors import TransformException
-    from tfloom.tf2_tools.plot.motion import motion_of
+    from tfloom.tf2_tools.motion import motion_of
 
     buffer = Buffer(None)
     buffer.set_log_callback(None)
@@ -81,8 +81,8 @@ def main(args: argparse.Namespace) -> int:
         raise CommandError(
             f"{args.source_frame} does not move in {args.target_frame}: all transforms between them are static"
         )
+    from tfloom.tf2_tools.chart import chart
     from tfloom.tf2_tools.drawing.formats import file_content
-    from tfloom.tf2_tools.plot.chart import chart
 
     place = source.place(args.bag)
     where = f"live, {place}" if source.is_live(args.bag) else place

@@ -34,7 +34,7 @@ def main(args: argparse.Namespace) -> int:
     from tfloom.interfaces.tf2_msgs.msg import TFMessage
     from tfloom.rmw.qos import DurabilityPolicy, QoS
     from tfloom.rmw.typed_names import topic_of
-    from tfloom.tf2_tools.static_transforms.file import StaticFileError, encoded, read_statics
+    from tfloom.tf2_tools.static_file import StaticFileError, encoded, read_statics
 
     try:
         transforms = read_statics(Path(args.file))

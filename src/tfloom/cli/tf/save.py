@@ -21,7 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Write the file; fail if there is no static transform."""
     from tfloom.common.files import write_file
-    from tfloom.tf2_tools.static_transforms.file import file_text
+    from tfloom.tf2_tools.static_file import file_text
     from tfloom.tf2_tools.watch.statics import last_statics, quarrels, unusable
 
     with source.open_source(args) as opened:

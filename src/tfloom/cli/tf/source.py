@@ -15,7 +15,7 @@ from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.numbers import seconds
 from tfloom.rmw.backends import domain_id_from_environment
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.static_transforms.file import StaticFileError
+from tfloom.tf2_tools.static_file import StaticFileError
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TF_TOPIC, Observation
 from tfloom.tf2_tools.watch.sources import LIVE, Source, open_path
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Protocol
 
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.static_transforms.file import encoded, read_statics
+from tfloom.tf2_tools.static_file import encoded, read_statics
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, TOPICS, Observation
 from tfloom.tf2_tools.watch.recorded import RecordedMessage, observe_recorded
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_transform import StaticTransform
 from tfloom.tf2_tools.watch.model import Edge, Observation, stored_name
 
 __all__ = ["last_statics", "quarrels", "unusable"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any, List  # the type that `Entity.get_attr` takes for children
 
-from tfloom.common.written_values import QuotedText
+from tfloom.common.text import QuotedText
 from tfloom.launch.core.entity import Entity, Pair, ParsesActions, parse_pairs
 from tfloom.launch.frontend.type_utils import get_data_type_from_identifier
 from tfloom.launch.ros.parameter_descriptions import ParameterFile, ParameterValue

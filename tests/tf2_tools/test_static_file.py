@@ -9,13 +9,13 @@ import pytest
 
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
-from tfloom.tf2_tools.static_transforms.file import (
+from tfloom.tf2_tools.static_file import (
     StaticFileError,
     encoded,
     file_text,
     read_statics,
 )
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform
+from tfloom.tf2_tools.static_transform import StaticTransform
 
 LASER = StaticTransform("base", "laser", (0.1, -2e-7, 1.0 / 3.0), (0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)))
 ODD = StaticTransform("yes", "1.0: #ü 雷射", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))

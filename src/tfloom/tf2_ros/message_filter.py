@@ -14,7 +14,7 @@ from tfloom.node.values.callback_errors import call_all
 from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.tf2_ros.buffer_core import duration_ns, time_ns
 from tfloom.tf2_ros.deadlines import call_after
-from tfloom.tf2_ros.filters.message_filters import JumpBack, SimpleFilter, clear_with
+from tfloom.tf2_ros.message_filters import JumpBack, SimpleFilter, clear_with
 
 if TYPE_CHECKING:
     from tfloom.node.executing.guard_condition import GuardCondition

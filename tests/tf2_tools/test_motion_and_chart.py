@@ -12,12 +12,12 @@ from tests.tf2_tools.kept_pictures import assert_looks_as_kept
 
 from tfloom.tf2.buffer import Buffer
 from tfloom.tf2.errors import TransformException
+from tfloom.tf2_tools.chart import BAND, axis_of, chart
 from tfloom.tf2_tools.drawing.png import png_bytes
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Picture, Text
 from tfloom.tf2_tools.drawing.shapes import Path as Line
 from tfloom.tf2_tools.drawing.svg import svg_text
-from tfloom.tf2_tools.plot.chart import BAND, axis_of, chart
-from tfloom.tf2_tools.plot.motion import Motion, motion_of
+from tfloom.tf2_tools.motion import Motion, motion_of
 
 PICTURE = Path(__file__).parent / "chart.png"
 START_S = 1_795_257_550

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tfloom.tf2_tools.static_transforms.transform import ArgumentsError, parse
+from tfloom.tf2_tools.static_transform import ArgumentsError, parse
 
 FRAMES = ["--frame-id", "world", "--child-frame-id", "camera"]
 HALF = math.sqrt(0.5)

@@ -11,7 +11,7 @@ from tfloom.common.text import utc_text
 from tfloom.tf2_tools.drawing.colors import FAINT, HAIRLINE, INK, SUBTITLE, TEXT, TITLE
 from tfloom.tf2_tools.drawing.fonts import elided, printable
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Path, Pen, Picture, Point, Shape, Text
-from tfloom.tf2_tools.plot.motion import Motion
+from tfloom.tf2_tools.motion import Motion
 from tfloom.tf2_tools.text import counted
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from tfloom.tf2_tools.static_transforms.transform import StaticTransform, quaternion_from_rpy
+from tfloom.tf2_tools.static_transform import StaticTransform, quaternion_from_rpy
 
 __all__ = ["StaticFileError", "encoded", "file_text", "read_statics"]
 

@@ -1,1 +1,0 @@
-"""Message filters: messages held until their transform is there, and messages of several topics by their stamps."""

@@ -1,1 +1,0 @@
-"""The transform between two frames over time, as a picture."""

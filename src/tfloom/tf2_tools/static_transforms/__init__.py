@@ -1,1 +1,0 @@
-"""Static transforms as a command line and as a file."""
