@@ -143,6 +143,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
     },
     "node.endpoints.client": {
         "Client.__init__(executor)": OWN,
+        "Client.__init__(other_type)": OWN,
         "Client.__init__(start_timer)": OWN,
     },
     "node.endpoints.publisher": {
