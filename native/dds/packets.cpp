@@ -82,11 +82,11 @@ std::vector<std::byte> joined(const msghdr& message) {
   return datagram;
 }
 
-// Send what announces endpoints with their participant; anything else as it is.
-ssize_t send_discovery(int descriptor, const msghdr& message, int flags) {
+// Send what announces endpoints with their participant; return nullopt for anything else, which is not sent.
+std::optional<ssize_t> send_discovery(int descriptor, const msghdr& message, int flags) {
   const std::vector<std::byte> datagram = joined(message);
   std::optional<std::vector<std::byte>> completed = rtps::with_participants(datagram);
-  if (!completed) return ::sendmsg(descriptor, &message, flags);
+  if (!completed) return std::nullopt;
   iovec part{completed->data(), completed->size()};
   msghdr replaced = message;
   replaced.msg_iov = &part;
@@ -100,7 +100,10 @@ ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   rtps::ServiceForms& forms = rtps::ServiceForms::of_process();
   const auto address = address_of(*message);
   if (!address) return ::sendmsg(descriptor, message, flags);
-  if (forms.discovers(*address)) return send_discovery(descriptor, *message, flags);
+  // Data may go to the addresses of discovery, too: to a multicast group.
+  if (forms.discovers(*address)) {
+    if (const auto sent = send_discovery(descriptor, *message, flags)) return *sent;
+  }
   const bool is_inline = forms.is_of_inline_peer(*address);
   pace(*address, size_of(*message), is_inline);
   if (!is_inline || !forms.has_ends()) return ::sendmsg(descriptor, message, flags);
