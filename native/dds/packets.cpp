@@ -84,9 +84,10 @@ std::vector<std::byte> joined(const msghdr& message) {
 
 // Send what announces endpoints with their participant; return nullopt for anything else, which is not sent.
 std::optional<ssize_t> send_discovery(int descriptor, const msghdr& message, int flags) {
+  constexpr std::size_t max_datagram = 65'507;  // of UDP
   const std::vector<std::byte> datagram = joined(message);
   std::optional<std::vector<std::byte>> completed = rtps::with_participants(datagram);
-  if (!completed) return std::nullopt;
+  if (!completed || completed->size() > max_datagram) return std::nullopt;
   iovec part{completed->data(), completed->size()};
   msghdr replaced = message;
   replaced.msg_iov = &part;

@@ -11,6 +11,7 @@ import re
 import socket
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -350,8 +351,8 @@ def test_log_file_has_the_name_that_the_launch_gives_it() -> None:
     assert Path(launch_config.get_log_file_path()).name == "launch.log"
 
 
-@pytest.mark.parametrize("name", ["", "a/b.log", "/tmp/a.log", "..", "a\0b"])
-def test_log_file_is_in_the_log_folder(name: str) -> None:
+@pytest.mark.parametrize("name", ["", "a/b.log", "/tmp/a.log", "..", "a\0b", 5])
+def test_log_file_is_in_the_log_folder(name: Any) -> None:
     with pytest.raises(ValueError, match="is not the name of a log file: give one without folders"):
         LaunchService(log_file_name=name)
     assert launch_config.log_file_name == "launch.log"

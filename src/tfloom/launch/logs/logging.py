@@ -174,7 +174,13 @@ class LaunchConfig:
 
     @log_file_name.setter
     def log_file_name(self, name: str) -> None:
-        if not name or name in (".", "..") or "\0" in name or Path(name).name != name:
+        if (
+            not isinstance(name, str)
+            or not name
+            or name in (".", "..")
+            or "\0" in name
+            or Path(name).name != name
+        ):
             raise ValueError(
                 f"{name!r} is not the name of a log file: give one without folders; "
                 "ROS_LOG_DIR says in which folder it is"
