@@ -230,10 +230,16 @@ def small_sockets(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
 
 @paces
 @pytest.mark.parametrize(
-    "qos", [BEST_EFFORT, QoS(history=HistoryPolicy.KEEP_ALL)], ids=["best effort", "reliable"]
+    ("qos", "least"),
+    [
+        (QoS(history=HistoryPolicy.KEEP_ALL), 20),
+        # A reader that is not scheduled for longer than a writer waits loses some; without waits it gets two or three.
+        (BEST_EFFORT, 10),
+    ],
+    ids=["reliable", "best effort"],
 )
 def test_large_messages_arrive_in_small_sockets(
-    domain_id, small_sockets, start_peer, node, topic, wait_until, qos
+    domain_id, small_sockets, start_peer, node, topic, wait_until, qos, least
 ) -> None:
     participant = open_participant(domain_id)
     participant.add_node(node)
@@ -244,16 +250,21 @@ def test_large_messages_arrive_in_small_sockets(
     messages = [DATA + bytes([number]) * 2_000_000 for number in range(20)]
     for message in messages:
         writer.write(message)
+    sent = [hashlib.sha256(message).hexdigest() for message in messages]
+    last = DATA + b"last" * 500_000
     received: list[str] = []
 
     def all_have_come() -> bool:
+        if len(received) < len(messages):
+            writer.write(last)
         received.extend(peer("take_digests", reader))
-        return len(received) == len(messages)
+        return hashlib.sha256(last).hexdigest() in received
 
-    sent = [hashlib.sha256(message).hexdigest() for message in messages]
-    wait_until(all_have_come, what="all messages")
-    assert received == sent
+    wait_until(all_have_come, what="the message that is written after all others")
     participant.close()
+    arrived = [digest for digest in received if digest in sent]
+    assert arrived == [digest for digest in sent if digest in arrived]
+    assert len(arrived) >= least
 
 
 @paces

@@ -214,7 +214,7 @@ def test_what_tests_a_wheel_is_the_core_tier_of_the_matrix() -> None:
 
 def test_the_distributions_have_one_version(monkeypatch: pytest.MonkeyPatch) -> None:
     versions = release.versions()
-    assert len(versions) == 7  # of four projects, and what three of them require
+    assert len(versions) == 8  # of five projects, and what three of them require
     assert set(versions.values()) == {tfloom.__version__}
     release.check_tag(f"v{tfloom.__version__}")
     for tag in (tfloom.__version__, f"v{tfloom.__version__}.post1", "v"):

@@ -20,7 +20,7 @@ __all__ = [
 
 
 class BwVerb(BuiltinVerb, module="tfloom.cli.topic.bw"):
-    """Print the bandwidth of a topic."""
+    """Print the bandwidth of a topic, or of several."""
 
 
 class DelayVerb(BuiltinVerb, module="tfloom.cli.topic.delay"):
