@@ -84,7 +84,7 @@ def layout_of_a_page(folder: Path) -> None:
     )
     program.layout_text = lambda _: "the layout"
     try:
-        program.Viewer._save_layout(viewer, "page")
+        program.Viewer._save_layout(viewer, "page", for_rviz=False)
     except PageError as error:
         print(f"told: {error}", file=sys.stderr)
         if path.read_text("utf-8") != "former":

@@ -24,6 +24,7 @@ from tfloom.tf2_ros.point_clouds.point_cloud2 import (
     read_points_numpy,
 )
 from tfloom.viewer.displays.point_cloud import PointCloudDisplay
+from tfloom.viewer.displays.settings import CLOUD_SETTINGS, usual_values
 from tfloom.viewer.shapes import DisplayError
 
 MAX_S = 10.0
@@ -42,7 +43,7 @@ def cloud_of(fields: list[PointField] = XYZT, size: int = 32, **attributes: Any)
 
 
 def show(cloud: PointCloud2) -> None:
-    display = PointCloudDisplay()
+    display = PointCloudDisplay(usual_values(CLOUD_SETTINGS))
     display.take(cloud, 0)
     display.shapes(0)
 

@@ -40,6 +40,7 @@ collect_ignore = (
         "test_view.py",
         "test_hostile_view.py",
         "test_second_lives.py",
+        "test_settings_in_browser.py",
         "test_pages.py",
         "test_published_joints.py",
         "test_recorded.py",

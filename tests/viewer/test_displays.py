@@ -22,38 +22,50 @@ from tfloom.interfaces.geometry_msgs.msg import (
     PoseWithCovariance,
     PoseWithCovarianceStamped,
     Twist,
+    TwistStamped,
     TwistWithCovariance,
     Vector3,
     WrenchStamped,
 )
-from tfloom.interfaces.nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry, Path
+from tfloom.interfaces.nav_msgs.msg import GridCells, MapMetaData, OccupancyGrid, Odometry, Path
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan, Range
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
+from tfloom.viewer.color_scale import rainbow
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
-from tfloom.viewer.displays.display import Display, rainbow, shown_text
-from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of, make_display
-from tfloom.viewer.displays.markers import MAX_MARKERS
-from tfloom.viewer.displays.settings import SETTINGS, SettingError
+from tfloom.viewer.displays.display import Display, shown_text
+from tfloom.viewer.displays.kinds import KINDS, LABELS, ROBOT, kind_of, make_display
+from tfloom.viewer.displays.markers import MAX_MARKERS, MarkerDisplay
+from tfloom.viewer.displays.settings import (
+    CLOUD_SETTINGS,
+    MARKER_SETTINGS,
+    PATH_SETTINGS,
+    WRENCH_SETTINGS,
+    SettingError,
+    to_file,
+    usual_values,
+)
+from tfloom.viewer.mesh_files import translucent
 from tfloom.viewer.pictures import picture_of, small_pixels
 from tfloom.viewer.topic_log import Entry
 
 S = 1_000_000_000
 
 
-def display_of(type_name: str, topic: str = "/topic") -> Display:
+def display_of(type_name: str, topic: str = "/topic", **settings: Any) -> Display:
     kind = kind_of(topic, type_name)
     assert kind is not None
-    display = make_display(kind, topic)
+    assert settings.keys() <= kind.settings.keys()
+    display = make_display(kind, topic, {**usual_values(kind.settings), **settings})
     assert display is not None
     return display
 
 
-def shown(message: Any, now_ns: int = S) -> list[shapes.Placed]:
-    display = display_of(message._TYPE_NAME)
+def shown(message: Any, now_ns: int = S, **settings: Any) -> list[shapes.Placed]:
+    display = display_of(message._TYPE_NAME, **settings)
     display.take(message, S)
     return display.shapes(now_ns)
 
@@ -142,7 +154,7 @@ def test_range_is_a_cone_and_camera_a_pyramid() -> None:
 
 
 def test_image_is_at_the_far_end_of_its_cameras_pyramid() -> None:
-    display = CameraDisplay()
+    display = CameraDisplay({})
     info = CameraInfo(header=header("camera", 7), width=4, height=2, k=[2.0, 0, 1.0, 0, 2.0, 1.0, 0, 0, 1])
     display.take(info, 0)
     pixels = np.arange(24, dtype=np.uint8)
@@ -177,7 +189,7 @@ def test_images_of_a_camera_are_those_beside_it() -> None:
     topics = ["/cam/image_raw", "/cam/image_raw/compressed", "/cam/depth/image", "/image", "/camera/image"]
     assert images_of("/cam/camera_info", topics) == ["/cam/image_raw", "/cam/image_raw/compressed"]
     assert images_of("/camera_info", topics) == ["/image"]
-    display = CameraDisplay()
+    display = CameraDisplay({})
     assert (display.offer([]), list(display.choices)) == ("", [])
     assert display.offer(["/a", "/b"]) == "/a"
     display.choice = "/b"
@@ -241,7 +253,7 @@ def test_covariance_that_is_none_is_not_drawn(wrong: float) -> None:
     covariance = np.zeros((6, 6))
     covariance[0, 0] = wrong
     message = PoseWithCovarianceStamped(pose=PoseWithCovariance(pose=pose(), covariance=covariance.ravel()))
-    assert [type(placed.shape) for placed in shown(message)] == [shapes.Arrows]
+    assert [type(placed.shape) for placed in shown(message)] == [shapes.Mesh]
 
 
 def test_pose_array_has_the_finite_poses_and_zero_quaternions_do_not_turn() -> None:
@@ -291,10 +303,7 @@ def test_turtle_is_on_its_water() -> None:
 
 
 def wrench_shapes(message: WrenchStamped, **settings: Any) -> list[shapes.Placed]:
-    display = make_display(KINDS[message._TYPE_NAME], "/topic", settings)
-    assert display is not None
-    display.take(message, S)
-    return display.shapes(S)
+    return shown(message, **settings)
 
 
 def test_force_is_an_arrow_as_long_and_as_wide_as_in_rviz() -> None:
@@ -356,17 +365,23 @@ def test_wrench_that_cant_be_drawn_is_a_sentence(wrong: float) -> None:
 
 
 def test_each_setting_of_a_kind_may_be_what_it_usually_is() -> None:
-    usual = [item for kind in KINDS.values() for item in kind.settings.items()]
-    assert {name for name, _ in usual} == SETTINGS.keys()
-    for name, value in usual:
-        assert SETTINGS[name].taken(list(value) if isinstance(value, tuple) else value) == value
+    for kind in LABELS.values():
+        properties = [setting.rviz for setting in kind.settings.values() if setting.rviz]
+        assert len(properties) == len(set(properties)), kind.label
+        for name, setting in kind.settings.items():
+            assert setting.taken(to_file(setting.usual)) == setting.usual, name
+            assert setting.from_rviz(setting.to_rviz(setting.usual)) == setting.usual, name
+            assert setting.description()["kind"], name
+
+
+SETTINGS = {**PATH_SETTINGS, **CLOUD_SETTINGS, **MARKER_SETTINGS, **WRENCH_SETTINGS}
 
 
 @pytest.mark.parametrize(
     ("name", "values"),
     [
         ("opacity", (-0.1, 1.1, math.nan, True, "1", None, [], 10**400)),
-        ("history", (0, 51, 1.5, math.nan, math.inf, -(10**400))),
+        ("history", (0, 1001, 1.5, math.nan, math.inf, -(10**400))),
         ("force_color", ("red", "1; 2", "1; 2; 256", "٣; 1; 1", [1, 2], [1, 2, 3.0], [1, 2, True], 3, None)),
     ],
 )
@@ -495,3 +510,192 @@ def test_rainbow_of_anything() -> None:
     assert rainbow([1.0, 1.0]).tolist() == [[255, 0, 0]] * 2
     low, high = rainbow([-1e308, 1e308]).tolist()
     assert low != high
+
+
+# Settings of clouds, poses and maps.
+
+
+def a_cloud(*rows: tuple[float, float, float, float]) -> Any:
+    return cloud(np.array(list(rows), [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("intensity", "<f4")]))
+
+
+def colors_of(message: Any, **settings: Any) -> Any:
+    (placed,) = shown(message, **settings)
+    return placed.shape.colors.tolist()
+
+
+RED, VIOLET = [255, 0, 0], [204, 0, 255]
+
+
+def test_cloud_is_coloured_by_an_intensity_within_its_range() -> None:
+    message = a_cloud((0, 0, 0, 0), (0, 0, 0, 50), (0, 0, 0, 100))
+    first, middle, last = colors_of(message)
+    assert (first, last) == (RED, VIOLET)
+    assert colors_of(message, auto_range=False, low=50.0, high=60.0) == [RED, RED, VIOLET]
+    assert colors_of(message, invert=True) == [VIOLET, middle, RED]
+    grey = {"rainbow": False, "low_color": (0, 0, 0), "high_color": (200, 100, 50)}
+    assert colors_of(message, **grey) == [[0, 0, 0], [100, 50, 25], [200, 100, 50]]
+    assert colors_of(message, auto_range=False, low=5.0, high=5.0) == [RED, VIOLET, VIOLET]
+    assert colors_of(message, color_by="flat", color=(1, 2, 3)) == [1, 2, 3]
+
+
+def test_cloud_is_coloured_by_an_axis_of_its_own_or_of_the_fixed_frame() -> None:
+    message = a_cloud((0, 0, 0, 9), (1, 0, 5, 8), (2, 0, 0, 7))
+    by_x = {"color_by": "axis", "axis": "x", "axis_fixed": False}
+    assert colors_of(message, **by_x)[::2] == [RED, VIOLET]
+    ranged = {"axis_auto_range": False, "axis_low": 1.0, "axis_high": 1.5}
+    assert colors_of(message, **by_x, **ranged) == [RED, RED, VIOLET]
+    (placed,) = shown(message, color_by="axis", axis="z")
+    by_axis = placed.shape.by_axis
+    turned = Transform.from_rpy(0.0, -math.pi / 2.0, 0.0)  # their x is up
+    pose = (0.0, 0.0, 7.0), turned.rotation_xyzw
+    assert by_axis.of(placed.shape.positions, pose)[::2].tolist() == [RED, VIOLET]
+    assert by_axis.of(placed.shape.positions, None)[1].tolist() == VIOLET
+
+
+def test_points_are_squares_boxes_or_transparent_as_set() -> None:
+    message = a_cloud((0, 0, 0, 1), (1, 0, 0, 2))
+    assert [shown(message, **given)[0].shape.size_px for given in ({}, {"size_px": 5.0})] == [3.0, 5.0]
+    (balls,) = shown(message, style="spheres", size=0.2)
+    assert (balls.shape.form, balls.shape.size_m, balls.shape.size_px) == ("circle", 0.2, None)
+    (placed,) = shown(message, style="squares", size=0.2)
+    assert (placed.shape.form, placed.shape.size_m, placed.shape.size_px) == ("square", 0.2, None)
+    (boxes,) = shown(message, style="boxes", size=0.2)
+    assert (boxes.shape.kind, boxes.shape.size, boxes.shape.opacity) == ("box", (0.2, 0.2, 0.2), 1.0)
+    (faint,) = shown(message, opacity=0.25)
+    assert (faint.shape.kind, faint.shape.opacity) == ("ball", 0.25)
+    assert faint.shape.colors.tolist() == [RED, VIOLET]
+    (flat,) = shown(message, opacity=0.25, color_by="flat", color=(1, 2, 3))
+    assert flat.shape.colors.tolist() == [[1, 2, 3]] * 2
+
+
+def test_scan_has_intensities_and_ranges_to_choose_from() -> None:
+    scan = LaserScan(header=header(), angle_increment=0.1, range_max=9.0, ranges=[1.0, 2.0, 3.0])
+    display = display_of("sensor_msgs/msg/LaserScan")
+    display.take(scan, S)
+    assert display.choices == ("x", "y", "z", "range")
+    assert display.shapes(S)[0].shape.colors.tolist() == [255, 70, 70]
+    display.choice = "range"
+    display.take(scan, S)
+    assert display.shapes(S)[0].shape.colors.tolist()[::2] == [RED, VIOLET]
+    scan.intensities = [5.0, 5.0, 9.0]
+    assert colors_of(scan) == [RED, RED, VIOLET]
+
+
+def test_pose_has_the_sizes_and_the_form_that_are_set() -> None:
+    message = PoseStamped(header=header(), pose=pose(1.0))
+    sizes = {"shaft_length": 2.0, "head_length": 0.5, "head_radius": 0.4}
+    (arrow,) = shown(message, color=(1, 2, 3), opacity=0.5, **sizes)
+    assert (arrow.shape.color, arrow.shape.opacity, arrow.position) == ((1, 2, 3), 0.5, (1.0, 0.0, 0.0))
+    low, high = arrow.shape.vertices.min(axis=0), arrow.shape.vertices.max(axis=0)
+    assert (low[0], high[0]) == (0.0, 2.5)
+    assert high[1] == pytest.approx(0.4, abs=0.02)
+    (axes,) = shown(message, shape="axes", axes_length=3.0, axes_radius=0.5)
+    assert (axes.shape.length_m, axes.shape.radius_m) == (3.0, 0.5)
+    faint = shown(message, shape="axes", axes_length=3.0, opacity=0.5)
+    assert [part.shape.vertices.max(axis=0).argmax() for part in faint] == [0, 1, 2]
+    assert [part.shape.color for part in faint] == [(255, 0, 0), (0, 255, 0), (0, 0, 255)]
+    turned = pose(turn=(0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5)))
+    (arrows,) = shown(PoseArray(header=header(), poses=[pose(5.0), turned]), shape="arrow")
+    assert arrows.shape.vertices.max(axis=0)[:2] == pytest.approx((5.3, 0.3), abs=1e-6)
+
+
+def test_path_is_wide_transparent_and_has_poses_as_set() -> None:
+    poses = [PoseStamped(pose=pose(float(x), 2.0 * x)) for x in range(3)]
+    message = Path(header=header(), poses=poses)
+    (wide,) = shown(message, line="wide", width=0.5)
+    assert wide.shape.width_m == 0.5
+    (faint,) = shown(message, opacity=0.5, line="wide", width=0.2, color=(1, 2, 3))
+    assert (faint.shape.color, faint.shape.opacity) == ((1, 2, 3), 0.5)
+    assert faint.shape.vertices[:, 2].max() <= 0.1001
+    assert faint.shape.vertices.max(axis=0)[:2] == pytest.approx((2.09, 4.05), abs=0.01)
+    assert len(faint.shape.faces) == 2 * 8
+    _, arrows = shown(message, poses="arrows", pose_color=(9, 9, 9), head_diameter=1.0)
+    assert arrows.shape.color == (9, 9, 9)
+    assert arrows.shape.vertices[:, 2].max() == pytest.approx(0.5, abs=0.03)
+    _, axes = shown(message, poses="axes")
+    assert len(axes.shape.positions) == 3
+
+
+def test_map_has_the_colours_and_the_opacity_that_are_set() -> None:
+    info = MapMetaData(resolution=0.5, width=4, height=1, origin=pose())
+    grid = OccupancyGrid(header=header(), info=info, data=[0, 100, 50, -1])
+
+    def pixels(**settings: Any) -> Any:
+        return shown(grid, **settings)[0].shape.pixels[0].tolist()
+
+    assert pixels(opacity=0.5)[0] == [254, 254, 254, 128]
+    assert pixels(binary=True, threshold=50)[2] == [0, 0, 0, 255]
+    assert pixels(binary=True, threshold=51)[2] == [254, 254, 254, 255]
+    assert pixels(colors="raw") == [
+        [0, 0, 0, 255],
+        [100, 100, 100, 255],
+        [50, 50, 50, 255],
+        [255, 255, 255, 255],
+    ]
+    clear, lethal, middle, _ = pixels(colors="costmap")
+    assert (clear[3], lethal) == (0, [255, 0, 255, 255])
+    assert middle[0] > 0 < middle[2]
+
+
+def test_cells_and_twist_are_drawn() -> None:
+    cells = GridCells(
+        header=header("map"), cell_width=0.5, cell_height=1.0, cells=[Point(x=1.0), Point(y=math.nan)]
+    )
+    (squares,) = shown(cells, color=(1, 2, 3), opacity=0.5)
+    assert (squares.shape.color, squares.shape.opacity, len(squares.shape.faces)) == ((1, 2, 3), 0.5, 2)
+    assert squares.shape.vertices.min(axis=0).tolist() == [0.75, -0.5, 0.0]
+    for wrong in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(shapes.DisplayError, match="have to be above zero"):
+            shown(GridCells(cell_width=wrong, cell_height=1.0, cells=[Point()]))
+    twist = TwistStamped(header=header("base"), twist=Twist(linear=Vector3(x=2.0), angular=Vector3(z=1.0)))
+    linear, angular = shown(twist, angular_scale=10.0)
+    assert linear.shape.vertices[:, 0].max() == pytest.approx(5.2)
+    assert angular.shape.vertices[:, 2].max() == pytest.approx(13.0)
+    twist.twist.linear.y = math.nan
+    with pytest.raises(shapes.DisplayError, match="its linear is not finite"):
+        shown(twist)
+
+
+def test_namespace_that_is_hidden_is_not_shown() -> None:
+    markers = [marker(Marker.CUBE, number, ns=name) for number, name in enumerate(("a", "b", "b"))]
+    settings: dict[str, Any] = {"hidden_namespaces": ("b",)}
+    display = make_display(KINDS["visualization_msgs/msg/MarkerArray"], "/m", settings)
+    assert isinstance(display, MarkerDisplay)
+    display.take(MarkerArray(markers=markers), S)
+    assert (len(display.shapes(S)), display.parts()) == (1, ["a", "b"])
+    settings["hidden_namespaces"] = ()
+    assert len(display.shapes(S)) == 3
+
+
+def test_robot_has_the_opacity_and_the_links_that_are_set() -> None:
+    def box(part: str) -> str:
+        return f'<{part}><geometry><box size="1 1 1"/></geometry></{part}>'
+
+    links = "".join(f'<link name="{name}">{box("visual")}{box("collision")}</link>' for name in "ab")
+    robot = String(data=f'<robot name="r">{links}</robot>')
+
+    def drawn(**settings: Any) -> list[tuple[str, float]]:
+        display = make_display(ROBOT, "/r", {**usual_values(ROBOT.settings), **settings})
+        assert display is not None
+        display.take(robot, S)
+        return [(part.frame_id, part.shape.opacity) for part in display.shapes(S)]
+
+    assert drawn() == [("a", 1.0), ("b", 1.0)]
+    assert drawn(opacity=0.5, hidden_links=("a",)) == [("b", 0.5)]
+    assert drawn(visual=False) == []
+    assert drawn(visual=False, collision=True) == [("a", 0.6), ("b", 0.6)]
+    assert len(drawn(collision=True)) == 4
+
+
+def test_mesh_that_is_transparent_is_blended_and_a_damaged_one_stays() -> None:
+    trimesh = pytest.importorskip("trimesh")
+    glb = trimesh.creation.box().export(file_type="glb")
+    faint = translucent(glb, 0.25)
+    assert int.from_bytes(faint[8:12], "little") == len(faint)
+    read = trimesh.load(io.BytesIO(faint), file_type="glb", force="mesh")
+    assert len(read.vertices) == 8
+    assert read.visual.material.baseColorFactor[3] == pytest.approx(64, abs=1)
+    assert read.visual.material.alphaMode == "BLEND"
+    for damaged in (b"", glb[:30], glb[:20] + b"[" * 5000, glb[:20] + b"null" + glb[24:]):
+        assert translucent(damaged, 0.5) == damaged

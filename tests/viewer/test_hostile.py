@@ -21,8 +21,11 @@ from tfloom.interfaces.geometry_msgs.msg import (
     PoseStamped,
     PoseWithCovariance,
     PoseWithCovarianceStamped,
+    Twist,
+    TwistStamped,
+    Vector3,
 )
-from tfloom.interfaces.nav_msgs.msg import MapMetaData, OccupancyGrid, Odometry, Path
+from tfloom.interfaces.nav_msgs.msg import GridCells, MapMetaData, OccupancyGrid, Odometry, Path
 from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, LaserScan, PointCloud, Range
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
@@ -65,6 +68,8 @@ MESSAGES: dict[str, Any] = {
     "/poses": PoseArray(header=header(), poses=[pose()] * 3),
     "/polygon": PolygonStamped(header=header(), polygon=Polygon(points=[Point32()] * 3)),
     "/wrench": wrench((9.0, 0.0, 0.0), (0.0, 9.0, 0.0)),
+    "/twist": TwistStamped(header=header(), twist=Twist(linear=Vector3(x=9.0), angular=Vector3(z=9.0))),
+    "/cells": GridCells(header=header(), cell_width=0.5, cell_height=0.5, cells=[Point()] * 3),
     "/turtle": TurtlePose(x=1.0),
     "/robot_description": String(data=URDF),
 }

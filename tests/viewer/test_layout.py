@@ -17,6 +17,7 @@ from tfloom.cli.view import read_config
 from tfloom.common import yaml as user_yaml
 from tfloom.viewer.layout.layout import DisplayLayout, Layout, LayoutError, PlotLayout, ViewPoint
 from tfloom.viewer.layout.layout_file import layout_text, read_layout
+from tfloom.viewer.layout.rviz_text import rviz_text
 
 Write = Callable[..., Path]
 
@@ -29,7 +30,10 @@ FULL = Layout(
         DisplayLayout("/points", "intensity"),
         DisplayLayout("/scan"),
         DisplayLayout("/wrench", settings=(("force_color", (1, 2, 3)), ("force_scale", 0.5), ("history", 4))),
+        DisplayLayout("/points", "", (("color_by", "axis"), ("axis", "x")), "PointCloud2"),
+        DisplayLayout("/markers", "", (("hidden_namespaces", ("a", "b")),), "MarkerArray"),
     ),
+    frames=(("show_arrows", False), ("hidden_frames", ("laser",)), ("timeout_s", 3.0)),
     plots=(PlotLayout("/odom", "twist.twist.linear.x"),),
     camera=ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0)),
     camera_frame="base_link",
@@ -186,11 +190,12 @@ def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Wr
     layout, unknown = read_layout(write(RVIZ, "robot.rviz"))
     assert layout.fixed_frame == "odom"
     assert layout.displays == (
-        DisplayLayout("/robot_description"),
-        DisplayLayout("/points", "ring"),
-        DisplayLayout("/scan"),
-        DisplayLayout("/camera/image_raw"),
-        DisplayLayout("/camera/camera_info"),
+        DisplayLayout("", kind="Grid"),
+        DisplayLayout("/robot_description", kind="RobotModel"),
+        DisplayLayout("/points", "ring", kind="PointCloud2"),
+        DisplayLayout("/scan", kind="LaserScan"),
+        DisplayLayout("/camera/image_raw", kind="Image"),
+        DisplayLayout("/camera/camera_info", kind="Camera"),
     )
     assert layout.with_names
     assert layout.axes_m == pytest.approx(0.6)
@@ -235,21 +240,23 @@ def test_wrench_of_rviz_has_its_settings_that_are_not_the_usual_ones(write: Writ
     layout, unknown = read_layout(write(text, "foot.rviz"))
     assert unknown == []
     settings = {"force_color": (255, 0, 10), "opacity": 0.5, "force_scale": 0.01, "width": 0.25, "history": 3}
-    assert layout.displays == (DisplayLayout("/foot/wrench", settings=tuple(settings.items())),)
+    assert layout.displays == (
+        DisplayLayout("/foot/wrench", settings=tuple(settings.items()), kind="Wrench"),
+    )
     assert read_layout(write(layout_text(layout)))[0] == layout
 
 
 def test_wrench_of_rviz_is_shown_without_the_settings_that_cant_be_taken(write: Write) -> None:
-    text = WRENCH.replace("255; 0; 10", "reddish").replace("Length: 3", "Length: 1000")
+    text = WRENCH.replace("255; 0; 10", "reddish").replace("Length: 3", "Length: 1001")
     a_color = "has to be three whole numbers from 0 to 255, as [204, 51, 51]"
     layout, unknown = read_layout(write(text.replace("Alpha: 0.5", "Alpha: .inf"), "foot.rviz"))
     assert layout.displays == (
-        DisplayLayout("/foot/wrench", settings=(("force_scale", 0.01), ("width", 0.25))),
+        DisplayLayout("/foot/wrench", "", (("force_scale", 0.01), ("width", 0.25)), "Wrench"),
     )
     assert unknown == [
         f"Force Color of the display Foot, which {a_color}, not 'reddish'",
         "Alpha of the display Foot, which has to be a number from 0 to 1, not inf",
-        "History Length of the display Foot, which has to be a whole number from 1 to 50, not 1000",
+        "History Length of the display Foot, which has to be a whole number from 1 to 1000, not 1001",
     ]
 
 
@@ -400,3 +407,214 @@ def test_of_many_unknown_names_some_are_printed(write: Write, capsys: pytest.Cap
     read_config(write("".join(f'"k\\x1b{number}": 1\n' for number in range(50))))
     printed = capsys.readouterr().err
     assert printed.endswith("; k\\x1b18; k\\x1b19; and 30 more\n")
+
+
+# Files of RViz that are written.
+
+CLOUD_OF_RVIZ = """\
+Visualization Manager:
+  Displays:
+    - Alpha: 0.4
+      Autocompute Intensity Bounds: false
+      Autocompute Value Bounds:
+        Max Value: 2
+        Min Value: -1
+        Value: false
+      Axis: X
+      Channel Name: intensity
+      Class: rviz_default_plugins/PointCloud2
+      Color: 255; 10; 20
+      Color Transformer: AxisColor
+      Decay Time: 1.5
+      Enabled: true
+      Invert Rainbow: true
+      Max Color: 1; 2; 3
+      Max Intensity: 90
+      Min Color: 3; 2; 1
+      Min Intensity: -5
+      Name: Lidar
+      Position Transformer: XYZ
+      Selectable: true
+      Size (Pixels): 5
+      Size (m): 0.1
+      Style: Boxes
+      Topic: {Depth: 5, Value: /points}
+      Use Fixed Frame: false
+      Use rainbow: false
+      Value: true
+    - Class: rviz_default_plugins/PointCloud2
+      Color Transformer: Intensity
+      Channel Name: ring
+      Topic: {Value: /points}
+    - {Class: rviz_default_plugins/LaserScan, Color Transformer: FlatColor, Color: 1; 2; 3, Topic: {Value: /scan}}
+    - Class: rviz_default_plugins/MarkerArray
+      Namespaces: {walls: false, floor: true, doors: false}
+      Topic: {Value: /markers}
+    - Class: rviz_default_plugins/TF
+      Frame Timeout: 15
+      Frames: {All Enabled: false, map: {Value: true}, laser: {Value: false}}
+      Marker Scale: 0.5
+      Show Arrows: false
+      Show Axes: false
+      Show Names: true
+    - Class: rviz_default_plugins/RobotModel
+      Alpha: 0.5
+      Collision Enabled: true
+      Description Topic: {Value: /robot_description}
+      Links: {All Links Enabled: true, arm: {Alpha: 1, Value: false}, base: {Alpha: 1, Value: true}}
+      TF Prefix: ""
+      Visual Enabled: false
+    - {Class: rviz_default_plugins/Map, Alpha: 0.7, Color Scheme: costmap, Topic: {Value: /map}}
+    - {Class: rviz_default_plugins/Axes, Length: 2, Radius: 0.2, Reference Frame: base}
+    - Class: rviz_default_plugins/Grid
+      Cell Size: 2
+      Offset: {X: 1, Y: 0, Z: 0}
+      Plane: XZ
+      Reference Frame: <Fixed Frame>
+    - Class: rviz_default_plugins/Odometry
+      Keep: 100
+      Position Tolerance: 0.5
+      Shape: {Color: 1; 2; 3, Value: Axes, Axes Length: 0.7}
+      Covariance: {Value: false, Position: {Alpha: 0.5}}
+      Topic: {Value: /odom}
+    - {Class: rviz_default_plugins/Image, Topic: {Value: /camera/image}}
+    - {Class: rviz_default_plugins/Camera, Topic: {Value: /front/image}}
+    - {Class: rviz_default_plugins/TwistStamped, Linear Arrow Scale: 3, Topic: {Value: /twist}}
+  Global Options: {Fixed Frame: odom}
+"""
+SET_IN_RVIZ = {
+    "/points": {
+        "style": "boxes",
+        "size_px": 5.0,
+        "size": 0.1,
+        "opacity": 0.4,
+        "color_by": "axis",
+        "color": (255, 10, 20),
+        "rainbow": False,
+        "invert": True,
+        "low_color": (3, 2, 1),
+        "high_color": (1, 2, 3),
+        "auto_range": False,
+        "low": -5.0,
+        "high": 90.0,
+        "axis": "x",
+        "axis_fixed": False,
+        "axis_auto_range": False,
+        "axis_low": -1.0,
+        "axis_high": 2.0,
+        "decay_s": 1.5,
+    },
+    "/scan": {"color_by": "flat", "color": (1, 2, 3)},
+    "/markers": {"hidden_namespaces": ("doors", "walls")},
+    "/robot_description": {
+        "opacity": 0.5,
+        "visual": False,
+        "collision": True,
+        "hidden_links": ("arm",),
+    },
+    "/map": {"opacity": 0.7, "colors": "costmap"},
+    "/odom": {
+        "shape": "axes",
+        "color": (1, 2, 3),
+        "axes_length": 0.7,
+        "covariance": False,
+        "covariance_opacity": 0.5,
+        "history": 100,
+        "position_tolerance": 0.5,
+    },
+    "/twist": {"linear_scale": 3.0},
+}
+
+
+def test_file_of_rviz_is_written_as_it_was_read(write: Write) -> None:
+    layout, unknown = read_layout(write(CLOUD_OF_RVIZ, "all.rviz"))
+    assert unknown == []
+    for topic, settings in SET_IN_RVIZ.items():
+        shown = next(display for display in layout.displays if display.topic == topic)
+        assert dict(shown.settings) == settings, topic
+    assert [display.choice for display in layout.displays if display.topic == "/points"] == ["", "ring"]
+    plain = {display.kind: dict(display.settings) for display in layout.displays if not display.topic}
+    assert plain == {
+        "Axes": {"frame": "base", "length": 2.0, "radius": 0.2},
+        "Grid": {"size": 2.0, "plane": "xz", "x": 1.0},
+    }
+    assert (layout.with_names, layout.axes_m) == (True, pytest.approx(0.15))
+    assert dict(layout.frames) == {
+        "show_axes": False,
+        "show_arrows": False,
+        "timeout_s": 15.0,
+        "hidden_frames": ("laser",),
+    }
+    text, missing = rviz_text(layout)
+    assert missing == []
+    again = read_layout(write(text, "again.rviz"))
+    assert again == (layout, [])
+    assert rviz_text(again[0]) == (text, [])
+    written = yaml.safe_load(text)["Visualization Manager"]["Displays"]
+    given = yaml.safe_load(CLOUD_OF_RVIZ)["Visualization Manager"]["Displays"]
+    cloud = next(row for row in written if row["Class"].endswith("PointCloud2"))
+    for key in given[0].keys() - {"Name", "Topic", "Channel Name", "Position Transformer", "Selectable"}:
+        assert cloud[key] == given[0][key], key
+    own = read_layout(write(layout_text(layout)))
+    assert own == (layout, [])
+
+
+def test_camera_of_a_layout_is_that_of_the_file_of_rviz(write: Write) -> None:
+    camera = ViewPoint((1.0, 2.0, 3.0), (-1.0, 0.5, 0.25))
+    text, _ = rviz_text(Layout("map", camera=camera, camera_frame="base"))
+    layout, _ = read_layout(write(text, "one.rviz"))
+    assert layout.camera is not None
+    for point, given in zip(layout.camera, camera, strict=True):
+        assert point == pytest.approx(given, abs=1e-5)
+    assert layout.camera_frame == "base"
+
+
+def test_what_rviz_has_no_counterpart_for_is_named() -> None:
+    layout = FULL._replace(
+        displays=(
+            *FULL.displays,
+            DisplayLayout("/turtle1/pose", kind="Turtle"),
+            DisplayLayout("/odom", settings=(("speed", False),), kind="Odometry"),
+            DisplayLayout("/front/camera_info", kind="Camera"),
+        )
+    )
+    text, missing = rviz_text(layout)
+    assert missing == [
+        "the ways of base_link, <b>",
+        "the plot of twist.twist.linear.x of /odom",
+        "the display of /points, whose type is not known",
+        "the display of /scan, whose type is not known",
+        "the display of /wrench, whose type is not known",
+        "the display of /turtle1/pose, a Turtle",
+        "speed of the display Odometry /odom",
+        "the display of /front/camera_info, a camera without an image",
+    ]
+    assert "turtle1" not in text
+
+
+def test_property_of_rviz_without_a_counterpart_is_named_unless_it_changes_nothing(write: Write) -> None:
+    text = CLOUD_OF_RVIZ.replace("Position Transformer: XYZ", "Position Transformer: XYZW\n      Glow: 3")
+    _, unknown = read_layout(write(text, "all.rviz"))
+    assert unknown == ["Position Transformer, Glow of the display Lidar"]
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ("Style: Boxes", "Style of the display Lidar, which has to be one of Points, Spheres, Flat Squares"),
+        ("Decay Time: 1.5", "Decay Time of the display Lidar, which has to be a number from 0 to 1e"),
+        ("Use rainbow: false", "Use rainbow of the display Lidar, which has to be true or false"),
+        (
+            "Namespaces: {walls: false, floor: true, doors: false}",
+            "Namespaces of the display MarkerArray, which has",
+        ),
+    ],
+)
+def test_hostile_value_of_rviz_is_a_sentence(write: Write, given: str, sentence: str) -> None:
+    key = given.partition(":")[0]
+    assert given in CLOUD_OF_RVIZ
+    for value in ("[[]]", "9" * 400, "'" + "x" * 5000 + "'", ".nan"):
+        _, unknown = read_layout(write(CLOUD_OF_RVIZ.replace(given, f"{key}: {value}"), "all.rviz"))
+        (named,) = unknown
+        assert sentence in named
+        assert len(named) < 300

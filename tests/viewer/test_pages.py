@@ -700,8 +700,9 @@ def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: Open
     page.send(op="layout")
     saved = tmp_path / "saved.yaml"
     saved.write_text(page.answer("layout"))
-    # The scene has told no camera, because this page has no scene.
-    assert read_layout(saved) == (layout._replace(camera=None), [])
+    # The scene has told no camera, because this page has no scene. What is shown has its kind.
+    shown = DisplayLayout("/points", "b", kind="PointCloud2"), DisplayLayout("/later")
+    assert read_layout(saved) == (layout._replace(camera=None, displays=shown), [])
     viewer.layout_path = tmp_path / "written.yaml"
     assert "written.yaml" in page.ask("done", op="layout")
     assert (tmp_path / "written.yaml").read_text() == saved.read_text()

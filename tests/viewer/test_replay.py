@@ -23,6 +23,7 @@ from tfloom.tf2.buffer import Buffer
 from tfloom.viewer import recorded, replay, topic_log
 from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.displays.markers import MarkerDisplay
+from tfloom.viewer.displays.settings import MARKER_SETTINGS, usual_values
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.recorded import RecordedLog, RecordedTopics
 from tfloom.viewer.topic_log import Cursor, TopicLog
@@ -71,7 +72,7 @@ class Shown:
 
 def picture(entries: Iterable[Came], now_ns: int) -> list[float]:
     """Return the x of each cube after some messages."""
-    display = MarkerDisplay()
+    display = MarkerDisplay(usual_values(MARKER_SETTINGS))
     for entry in entries:
         display.take(decode(entry.data), entry.stamp_ns)
     return sorted(placed.position[0] for placed in display.shapes(now_ns))

@@ -11,13 +11,14 @@ from tfloom.interfaces.std_msgs.msg import String
 from tfloom.viewer import shapes
 from tfloom.viewer.displays import robot_model
 from tfloom.viewer.displays.robot_model import RobotDisplay
+from tfloom.viewer.displays.settings import ROBOT_SETTINGS, usual_values
 
 S = 1_000_000_000
 
 
 def loaded(text: str, near: Path | None = None) -> RobotDisplay:
     """Return a display of a robot all files of which were read."""
-    display = RobotDisplay()
+    display = RobotDisplay(usual_values(ROBOT_SETTINGS))
     display.near = near
     display.take(String(data=text), S)
     while not display.is_whole:
@@ -67,7 +68,7 @@ def test_another_link_has_what_is_seen_where_no_mesh_can_be_read() -> None:
 
 def test_meshes_are_read_a_few_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(robot_model, "LOAD_S", 0.0)
-    display = RobotDisplay()
+    display = RobotDisplay(usual_values(ROBOT_SETTINGS))
     display.take(
         String(data=f'<robot name="r">{"".join(link_of(name, BOX, "") for name in "abc")}</robot>'), S
     )

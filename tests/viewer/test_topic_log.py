@@ -63,15 +63,18 @@ def test_run_is_of_the_last_messages_by_their_stamps_and_none_of_long_ago() -> N
     log = filled(20)
     log.add(18 * S + 1, b"late")
 
-    def run(stamp_ns: int, number: int) -> list[str]:
+    def run(stamp_ns: int, number: int, *length_ns: int) -> list[str]:
         entry = log.newest(stamp_ns)
         assert entry is not None
-        return [one.message()[-4:] for one in log.run(entry, number)]
+        return [one.message()[-4:] for one in log.run(entry, number, *length_ns)]
 
     assert run(19 * S, 3) == ["0018", "late", "0019"]
     assert run(18 * S, 2) == ["0017", "0018"]
     assert run(2 * S, 9) == ["0001", "0002"]
-    assert run(12 * S, 20) == ["0007", "0008", "0009", "0010", "0011", "0012"]
+    assert run(12 * S, 20, 5 * S) == ["0007", "0008", "0009", "0010", "0011", "0012"]
+    assert len(run(12 * S, 20)) == 12
+    log.add(80 * S, b"much later")
+    assert run(80 * S, 20) == ["0020", "ater"]
     assert run(12 * S, 1) == ["0012"]
 
 

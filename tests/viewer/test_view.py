@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import header, marker, pose, wrench
+from tests.viewer.messages import cloud, header, marker, pose, wrench
 from tests.viewer.stages import Stage
 
-from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped, WrenchStamped
+from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped, PoseWithCovariance, WrenchStamped
+from tfloom.interfaces.nav_msgs.msg import Odometry
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.tf2.buffer import Buffer
 from tfloom.viewer.layout.layout import DisplayLayout, Layout
+from tfloom.viewer.page_command import PageError
 from tfloom.viewer.shapes import Ball, Box, Lines, Points, Shape
 
 S = 1_000_000_000
@@ -291,7 +294,10 @@ def force(x: float, frame: str = "a", sec: int = 1) -> WrenchStamped:
 
 
 def lengths(stage: Stage) -> list[float]:
-    return [round(float(node.vertices[:, 0].max()), 3) for node in stage.drawn("/wrench")]
+    """Return the lengths of what is drawn, the greatest first."""
+    return sorted(
+        (round(float(node.vertices[:, 0].max()), 3) for node in stage.drawn("/wrench")), reverse=True
+    )
 
 
 def test_settings_of_a_layout_count_and_are_saved_with_the_display(
@@ -312,12 +318,11 @@ def test_settings_of_a_layout_count_and_are_saved_with_the_display(
     assert lengths(stage) == [26.0]
     assert len(stage.drawn("/pose")) == 1
     assert capsys.readouterr().err == (
-        "tfloom: force_scale of /pose is not shown: Pose has no such setting\n"
-        "tfloom: opacity of /pose is not shown: Pose has no such setting\n"
+        "tfloom: force_scale of /pose is not shown: Pose has no setting 'force_scale'\n"
     )
     assert stage.view.layout(None).displays == (
-        DisplayLayout("/wrench", "", settings),
-        DisplayLayout("/pose"),
+        DisplayLayout("/wrench", "", settings, "Wrench"),
+        DisplayLayout("/pose", "", (("opacity", 0.5),), "Pose"),
     )
 
 
@@ -355,7 +360,7 @@ def test_history_is_that_of_the_time_that_is_shown_and_a_bad_message_hides_no_ot
         stage.topics.add("/wrench", force(size, sec=second), second * S)
     stage.draw()
     assert (lengths(stage), stage.status("/wrench")) == ([104.0, 78.0], "")
-    assert [node.position[0] for node in stage.drawn("/wrench")] == [8.0, 6.0]
+    assert sorted(node.position[0] for node in stage.drawn("/wrench")) == [6.0, 8.0]
     stage.view.command({"op": "hold", "stamp_ns": str(7 * S)})
     stage.draw()
     assert lengths(stage) == [78.0, 65.0]
@@ -373,3 +378,239 @@ def test_wrench_in_a_frame_that_is_not_there_is_a_sentence(stage: Stage) -> None
     assert [node.visible for node in stage.drawn("/wrench")] == [False]
     assert "nowhere" in stage.status("/wrench")
     assert stage.reports == []
+
+
+def points(*xs: float, sec: int = 1) -> Any:
+    table = np.zeros(len(xs), [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
+    table["x"] = xs
+    made = cloud(table, "a")
+    made.header.stamp.sec = sec
+    return made
+
+
+def test_setting_acts_at_once_on_what_is_drawn_and_is_saved(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/points", points(0.0, 1.0))
+    stage.view.set_display("/points", on=True)
+    stage.draw()
+    for name, value in (("size", 0.5), ("style", "squares"), ("color_by", "flat"), ("color", [1, 2, 3])):
+        stage.view.command({"op": "set", "topic": "/points", "setting": name, "value": value})
+    state = stage.draw()
+    (node,) = stage.drawn("/points")
+    assert (node.point_size, node.point_shape, node.colors.tolist()) == (0.5, "square", [1, 2, 3])
+    (row,) = state["displays"]
+    assert (row["values"]["size"], row["values"]["color"], row["values"]["opacity"]) == (0.5, [1, 2, 3], 1.0)
+    (saved,) = stage.view.layout(None).displays
+    assert saved.kind == "PointCloud2"
+    assert dict(saved.settings) == {"size": 0.5, "style": "squares", "color_by": "flat", "color": (1, 2, 3)}
+    stage.view.command({"op": "set", "topic": "/points", "setting": "opacity", "value": 0.5})
+    stage.draw()
+    (faint,) = stage.drawn("/points")
+    assert (faint.opacity, faint.batched_colors.tolist()) == (0.5, [[1, 2, 3]] * 2)
+    for name in dict(saved.settings) | {"opacity": 0}:
+        stage.view.command({"op": "set", "topic": "/points", "setting": name, "value": None})
+    stage.draw()
+    assert stage.view.layout(None).displays == (DisplayLayout("/points", kind="PointCloud2"),)
+    (node,) = stage.drawn("/points")
+    assert (node.point_size, node.point_shape) == (-0.003, "square")  # 3 pixels
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "sentence"),
+    [
+        ("size", 1e9, r"size has to be a number from 0\.0001 to 1000, not 1000000000\.0"),
+        ("size", [[]], "size has to be a number"),
+        ("style", "x" * 5000, "style has to be one of points, spheres, squares, boxes, not 'xxx"),
+        ("glow", 1, "PointCloud2 has no setting 'glow'"),
+    ],
+)
+def test_value_that_a_page_cant_set_is_a_sentence_and_changes_nothing(
+    stage: Stage, name: str, value: Any, sentence: str
+) -> None:
+    stage.topics.add("/points", points(0.0))
+    stage.view.set_display("/points", on=True)
+    with pytest.raises(PageError, match=sentence) as refused:
+        stage.view.command({"op": "set", "topic": "/points", "setting": name, "value": value})
+    assert len(str(refused.value)) < 200
+    with pytest.raises(PageError, match="/none is not shown"):
+        stage.view.command({"op": "set", "topic": "/none", "setting": name, "value": value})
+    with pytest.raises(PageError, match="TF has no setting 'x'"):
+        stage.view.command({"op": "set_frames", "setting": "x", "value": True})
+    assert dict(stage.view.layout(None).displays[0].settings) == {}
+
+
+def test_clouds_decay_and_those_that_stay_keep_their_nodes(stage: Stage) -> None:
+    stage.move("map", "a", *map(float, range(1, 8)))
+    stage.view.want("/points", settings=(("decay_s", 2.5), ("color_by", "flat")))
+    for second in range(1, 5):
+        stage.topics.add("/points", points(0.1 * second, sec=second), second * S)
+    stage.draw()
+
+    def places() -> list[float]:
+        return sorted(round(float(node.points[0, 0]), 1) for node in stage.drawn("/points"))
+
+    assert places() == [2.2, 3.3, 4.4]
+    before = [float(node.points[0, 0]) for node in stage.drawn("/points")]
+    stage.topics.add("/points", points(0.5, sec=5), 5 * S)
+    stage.draw()
+    assert places() == [3.3, 4.4, 5.5]
+    now = [float(node.points[0, 0]) for node in stage.drawn("/points")]
+    assert (
+        sum(x == y for x, y in zip(before, now, strict=True)) == 2
+    )  # so that pages don't get all of them again
+    stage.view.command({"op": "hold", "stamp_ns": str(2 * S)})
+    stage.draw()
+    assert places() == [1.1, 2.2]
+    stage.view.command({"op": "hold", "stamp_ns": None})
+    stage.view.command({"op": "set", "topic": "/points", "setting": "decay_s", "value": 0})
+    stage.draw()
+    assert places() == [5.5]
+
+
+def test_odometry_is_kept_where_it_has_moved(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    settings = (("history", 3), ("position_tolerance", 0.5), ("speed", False))
+    stage.view.want("/odom", settings=settings)
+    for number, x in enumerate((0.0, 0.4, 1.0, 1.1, 2.0, 3.0, 3.1)):
+        pose_at = PoseWithCovariance(pose=pose(x))
+        stage.topics.add("/odom", Odometry(header=header("map"), pose=pose_at), S + number)
+    stage.draw()
+    assert sorted(node.position[0] for node in stage.drawn("/odom")) == [2.0, 3.0, 3.1]
+
+
+def test_cloud_by_a_fixed_axis_changes_its_colours_with_its_pose(stage: Stage) -> None:
+    stage.move("map", "a", 0.0, 10.0)
+    axis = (
+        ("color_by", "axis"),
+        ("axis", "x"),
+        ("axis_auto_range", False),
+        ("axis_high", 10.0),
+        ("axis_low", 0.0),
+    )
+    for opacity in (1.0, 0.5):
+        stage.view.set_display("/points", on=False)
+        stage.view.want("/points", settings=(*axis, ("opacity", opacity)))
+        stage.topics.add("/points", points(0.0, sec=1), S)
+        stage.view.command({"op": "hold", "stamp_ns": str(S)})
+        stage.draw()
+        (node,) = stage.drawn("/points")
+        colors = node.colors if opacity == 1.0 else node.batched_colors
+        assert colors.tolist() == [[255, 0, 0]]
+        stage.topics.add("/points", points(0.0, sec=2), 2 * S)
+        stage.view.command({"op": "hold", "stamp_ns": None})
+        stage.draw()
+        (node,) = stage.drawn("/points")
+        colors = node.colors if opacity == 1.0 else node.batched_colors
+        assert colors.tolist() == [[204, 0, 255]]
+
+
+def test_topic_is_shown_twice_in_two_ways(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/points", points(0.0, 1.0))
+    two = (
+        DisplayLayout("/points", "x", (("style", "spheres"), ("size", 0.2)), "PointCloud2"),
+        DisplayLayout("/points", "", (("color", (1, 2, 3)), ("color_by", "flat")), "PointCloud2"),
+    )
+    stage.view.apply(Layout(displays=two))
+    state = stage.draw()
+    assert [(row["topic"], row["of_topic"]) for row in state["displays"]] == [
+        ("/points", "/points"),
+        ("/points #2", "/points"),
+    ]
+    (first,), (second,) = stage.drawn("/points"), stage.drawn("/points #2")
+    assert (first.point_size, second.point_size) == (0.2, -0.003)
+    assert second.colors.tolist() == [1, 2, 3] != first.colors.tolist()
+    assert stage.view.layout(None).displays == two
+    stage.view.suspend()
+    stage.view.resume()
+    stage.topics.add("/points", points(5.0, sec=2), 2 * S)
+    stage.draw()
+    assert [len(node.points) for node in (*stage.drawn("/points"), *stage.drawn("/points #2"))] == [1, 1]
+    stage.view.command({"op": "another", "topic": "/points", "kind": ""})
+    stage.view.command({"op": "display", "topic": "/points", "on": False})
+    state = stage.draw()
+    assert [(row["topic"], row["on"]) for row in state["displays"]] == [
+        ("/points", False),
+        ("/points #2", True),
+        ("/points #3", True),
+    ]
+    stage.view.command({"op": "another", "topic": "/points", "kind": "PointCloud2"})
+    assert stage.draw()["displays"][0]["on"]
+    with pytest.raises(PageError, match="there is no topic '/none'"):
+        stage.view.command({"op": "another", "topic": "/none", "kind": "PointCloud2"})
+    assert all(display.topic != "/none" for display in stage.view.layout(None).displays)
+
+
+def test_axes_and_grid_need_no_topic(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.view.command({"op": "another", "topic": "", "kind": "Axes"})
+    stage.view.command({"op": "set", "topic": "Axes", "setting": "frame", "value": "a"})
+    stage.view.command({"op": "set", "topic": "Axes", "setting": "length", "value": 3})
+    before = stage.view.extent()
+    assert stage.node("/floor").visible
+    stage.view.command({"op": "another", "topic": "", "kind": "Grid"})
+    state = stage.draw()
+    assert [(row["topic"], row["kind"], row["status"]) for row in state["displays"]] == [
+        ("Axes", "Axes", ""),
+        ("Grid", "Grid", ""),
+    ]
+    (axes,), (grid,) = stage.drawn("Axes"), stage.drawn("Grid")
+    assert (axes.axes_length, axes.position[0]) == (3.0, 2.0)
+    assert not stage.node("/floor").visible
+    assert before is None or stage.view.extent() is not None
+    assert grid.vertices.min(axis=0)[:2] == pytest.approx((-5.0, -5.0), abs=0.01)
+    stage.view.command({"op": "set", "topic": "Grid", "setting": "plane", "value": "yz"})
+    stage.view.command({"op": "set", "topic": "Grid", "setting": "opacity", "value": 1})
+    stage.draw()
+    (grid,) = stage.drawn("Grid")
+    assert np.abs(grid.points[..., 0]).max() == 0.0
+    extent = stage.view.extent()
+    assert extent is not None
+    assert extent.low[1] > -4.0  # a grid is nothing that a camera goes back for
+    layout = stage.view.layout(None)
+    stage.view.command({"op": "display", "topic": "Grid", "on": False})
+    assert stage.draw()["displays"][-1]["topic"] == "Axes"
+    assert stage.node("/floor").visible
+    stage.view.apply(layout)
+    stage.draw()
+    assert stage.view.layout(None).displays == layout.displays
+    stage.view.command({"op": "set", "topic": "Axes", "setting": "frame", "value": "nowhere"})
+    assert "nowhere" in stage.draw()["displays"][0]["status"]
+
+
+def test_frames_are_shown_as_set(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.move("a", "b", 1.0, 2.0)
+    stage.draw()
+    assert len(stage.node("/frames/axes").batched_positions) == 3
+    assert len(stage.node("/frames/arrows").points) == 2
+    stage.view.command({"op": "set_frames", "setting": "hidden_frames", "value": ["a"]})
+    state = stage.draw()
+    assert state["frame_settings"]["hidden_frames"] == ["a"]
+    assert len(stage.node("/frames/axes").batched_positions) == 2
+    assert stage.node("/frames/arrows") is None  # the parent of b is not shown
+    stage.view.command({"op": "set_frames", "setting": "hidden_frames", "value": []})
+    stage.view.command({"op": "set_frames", "setting": "show_axes", "value": False})
+    stage.draw()
+    assert stage.node("/frames/axes") is None
+    assert len(stage.node("/frames/arrows").points) == 2
+    stage.view.command({"op": "set_frames", "setting": "show_arrows", "value": False})
+    stage.draw()
+    assert stage.node("/frames/arrows") is None
+    layout = stage.view.layout(None)
+    assert layout.frames == (("show_axes", False), ("show_arrows", False))
+    stage.view.command({"op": "set_frames", "setting": "show_axes", "value": None})
+    stage.view.apply(layout)
+    assert stage.view.layout(None).frames == layout.frames
+
+
+def test_frame_of_which_nothing_comes_is_hidden_after_the_timeout(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.view.command({"op": "set_frames", "setting": "timeout_s", "value": 3.0})
+    stage.draw()
+    assert len(stage.node("/frames/axes").batched_positions) == 2
+    stage.view._source.now_ns = lambda: 10 * S
+    stage.draw()
+    grey, fresh = stage.node("/frames/stale"), stage.node("/frames/axes")
+    assert grey is None
+    assert len(fresh.batched_positions) == 1

@@ -93,7 +93,7 @@ class Drawn:
             # A cloud is changed, not replaced: the page keeps its buffers on the graphics card. Its points are sent
             # with its pose.
             self._are_points_new = True
-            if (shape.size_m, shape.size_px) != (before.size_m, before.size_px):
+            if (shape.size_m, shape.size_px, shape.form) != (before.size_m, before.size_px, before.form):
                 self._handle.point_size, self._handle.point_shape = _size_and_form(shape)
             return
         if (
@@ -122,6 +122,8 @@ class Drawn:
         if pose is None or pose == self._pose:
             return
         self._pose = pose
+        if isinstance(self._shape, shapes.Copies) and self._shape.by_axis is not None:
+            self._handle.batched_colors = self._shape.by_axis.of(self._shape.positions, pose)
         (position, (x, y, z, w)) = pose
         self._handle.position = np.array(position) + _turned((x, y, z, w), self._offset)
         self._handle.wxyz = (w, x, y, z)
@@ -130,6 +132,10 @@ class Drawn:
         if pose is None or (pose == self._pose and not self._are_points_new):
             return
         self._pose = pose
+        if shape.by_axis is not None:
+            self._handle.colors = shape.by_axis.of(shape.positions, pose)
+        elif self._sent is None or self._are_points_new:
+            self._handle.colors = shape.colors
         fixed_from_shape = Transform(*pose)
         if self._sent is not None and not self._are_points_new:
             if len(shape.positions) > MAX_POINTS_SENT_AGAIN:
@@ -138,7 +144,6 @@ class Drawn:
                 return
         else:
             self._are_points_new = False
-            self._handle.colors = shape.colors
         self._sent = _Sent.of(fixed_from_shape, self._sent)
         self._handle.points = self._sent.points(shape.positions)
         self._move_node(self._sent.origin, (0.0, 0.0, 0.0, 1.0))
@@ -194,7 +199,7 @@ def _refuse_undrawable(shape: shapes.Shape) -> None:
         DisplayError: there is one.
     """
     for value in vars(shape).values():
-        numbers = np.asarray(value if isinstance(value, (float, tuple, np.ndarray)) else 0.0)
+        numbers = np.asarray(value if type(value) in {float, tuple, np.ndarray} else 0.0)
         if numbers.dtype.kind == "f" and not (np.abs(numbers) < MAX_COORDINATE_M).all():
             raise shapes.DisplayError(f"a number of it is not finite, or beyond {MAX_COORDINATE_M:g}")
 
@@ -216,7 +221,7 @@ def _size_and_form(shape: shapes.Points) -> tuple[float, Literal["circle", "squa
     """Return the size and the form of points as viser takes them."""
     if shape.size_px is not None and HAS_PIXEL_POINTS:
         return pixel_size(shape.size_px), "square"  # of few pixels, a circle has too few
-    return shape.size_m, "circle"
+    return shape.size_m, shape.form
 
 
 def _add_points(scene: SceneApi, name: str, shape: shapes.Points) -> Any:
@@ -233,9 +238,10 @@ def _add_points(scene: SceneApi, name: str, shape: shapes.Points) -> Any:
 
 
 def _add_lines(scene: SceneApi, name: str, shape: shapes.Lines) -> Any:
-    return scene.add_line_segments(
-        name, shape.ends, shape.colors, thickness=shape.width_px, thickness_units="screen"
-    )
+    width: dict[str, Any] = {"thickness": shape.width_px, "thickness_units": "screen"}
+    if shape.width_m is not None:
+        width = {"thickness": max(shape.width_m, MIN_SIZE_M), "thickness_units": "world"}
+    return scene.add_line_segments(name, shape.ends, shape.colors, **width)
 
 
 def _add_arrows(scene: SceneApi, name: str, shape: shapes.Arrows) -> Any:
@@ -250,8 +256,8 @@ def _add_axes(scene: SceneApi, name: str, shape: shapes.Axes) -> Any:
         name,
         shape.rotations_xyzw[:, [3, 0, 1, 2]],
         shape.positions,
-        axes_length=shape.length_m,
-        axes_radius=shape.length_m / 25.0,
+        axes_length=max(shape.length_m, MIN_SIZE_M),
+        axes_radius=max(shape.radius_m, MIN_SIZE_M),
     )
 
 

@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 import contextlib
+import math
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, cast
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple, cast
 
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import NO_SETTINGS, Kind, make_display
+from tfloom.viewer.displays.kinds import Kind, make_display
+from tfloom.viewer.displays.markers import MarkerDisplay
 from tfloom.viewer.displays.robot_model import RobotDisplay
+from tfloom.viewer.displays.settings import Value, usual_values
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.replay import Replay
-from tfloom.viewer.shapes import DisplayError, Placed, Shape
+from tfloom.viewer.shapes import Copies, DisplayError, Placed, Points, Shape
 from tfloom.viewer.topic_log import END, Cursor, TopicLog
 
 if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
-    from tfloom.viewer.displays.display import KeepingDisplay
-    from tfloom.viewer.displays.settings import Value
+    from tfloom.viewer.displays.display import Display, KeepingDisplay
     from tfloom.viewer.drawing import Pose
     from tfloom.viewer.topic_log import Entry
 
@@ -31,6 +34,11 @@ PATIENCE_NS = 1_000_000_000
 """How long transforms may be behind a message until it is shown without them [ns]."""
 MAX_SHAPES = 4000
 """Number of shapes of one display that are drawn."""
+MAX_RUN = 5000
+"""Number of messages that are looked at for one picture."""
+MAX_RUN_POINTS = 1_000_000
+"""Number of points of several messages that are drawn, of the newest ones."""
+NOTHING_SET: Mapping[str, Value] = MappingProxyType({})
 NOTHING = Cursor(TopicLog(0, lambda _: None))
 """A reader of a log that stays empty."""
 
@@ -41,22 +49,30 @@ class Feed:
     Args:
         topic: Its topic.
         kind: Its kind.
-        cursor: A reader of its topic.
+        cursor: A reader of its topic; None: a display without one.
         settings: Values for some of the kind's settings.
     """
 
     def __init__(
-        self, topic: str, kind: Kind, cursor: Cursor, settings: Mapping[str, Value] = NO_SETTINGS
+        self,
+        topic: str,
+        kind: Kind,
+        cursor: Cursor | None = None,
+        settings: Mapping[str, Value] = NOTHING_SET,
     ) -> None:
         self.topic = topic
         self.kind = kind
         self.settings = {name: value for name, value in settings.items() if name in kind.settings}
-        self.status = "" if not kind.module else "no message yet"
+        """The settings that were set."""
+        self._values = {**usual_values(kind.settings), **self.settings}
+        """All of them, as the display has them."""
+        self.status = self._first_status
         """What the page says of it: why it shows nothing, or not all; empty if all is shown."""
         self.has_failed = False
-        self.display = make_display(kind, topic, self.settings)
-        self._run = cast("int", {**kind.settings, **self.settings}.get("history", 1))
-        """How many messages the display shows that has not all of them."""
+        self.display = make_display(kind, topic, self._values)
+        self._run: list[_Taken] = []
+        """What is shown of a display that shows several single messages."""
+        self._placed_of, self._placed = self._run, list[Placed]()
         self._last: Entry | None = None
         self._held_ns: int | None = None
         """The time that was shown last [ns since epoch]; None: the newest."""
@@ -70,7 +86,17 @@ class Feed:
         self._poses_of: tuple[str, list[Placed]] = "", []
         self._replay: Replay | None = None
         self._cursor: Cursor = NOTHING
-        self.read(cursor)
+        if cursor is not None:
+            self.read(cursor)
+
+    @property
+    def _first_status(self) -> str:
+        return "no message yet" if self.kind.module and self.kind.has_topic else ""
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether nothing of it was set or chosen."""
+        return not self.settings and (self.display is None or not self.display.choice)
 
     def read(self, cursor: Cursor) -> None:
         """Show what another reader has from now on, and end the one before.
@@ -84,7 +110,7 @@ class Feed:
             else:
                 make = cast(
                     "Callable[[], KeepingDisplay]",
-                    partial(make_display, self.kind, self.topic, self.settings),
+                    partial(make_display, self.kind, self.topic, self._values),
                 )
                 self._replay = Replay(make, cursor, base)
         except BaseException:
@@ -102,12 +128,13 @@ class Feed:
         self.close()
         self._cursor = NOTHING
         self._replay = None
+        self._run = []
         self._last = self._failed_at = None
         self.has_failed = False
         self._fault = self._frame = ""
         if self.display is not None:
             self.display.clear()
-        self.status = "" if not self.kind.module else "no message yet"
+        self.status = self._first_status
 
     def newest(self, stamp_ns: int | None) -> Entry | None:
         """Return the last message of a stamp up to this one [ns since epoch]; None: the last of all."""
@@ -125,7 +152,30 @@ class Feed:
         """Choose one of the display's choices, and show the last message anew."""
         if self.display is not None and choice in self.display.choices:
             self.display.choice = choice
-            self._last = None
+            self._begin_anew()
+
+    def set(self, name: str, value: Value | None) -> None:
+        """Set one of the kind's settings, and show the messages anew; None: as it usually is."""
+        usual = self.kind.settings[name].usual
+        self._values[name] = usual if value is None else value
+        if self._values[name] == usual:
+            self.settings.pop(name, None)
+        else:
+            self.settings[name] = self._values[name]
+        self._begin_anew()
+
+    def _begin_anew(self) -> None:
+        self._last, self._run = None, []
+        self.has_failed = False
+
+    @property
+    def values(self) -> dict[str, Value]:
+        """The value of each of the kind's settings."""
+        return self._values
+
+    def parts(self) -> list[str]:
+        """Return the names of the parts that may be hidden, as namespaces or links."""
+        return self.display.parts() if isinstance(self.display, (MarkerDisplay, RobotDisplay)) else []
 
     def draw(
         self, buffer: Buffer, fixed_frame: str, held_ns: int | None, now_ns: int
@@ -155,16 +205,18 @@ class Feed:
         else:
             self._take(buffer, fixed_frame, held_ns)
             is_empty = self._last is None
-        if is_empty:
+        if is_empty and self.kind.has_topic:
             self.status = shown_text(self._fault or "no message at this time")
             return []
         try:
-            placed = display.shapes(now_ns)
+            placed = self._shapes(display, now_ns)
         except DisplayError as error:
             self.status = shown_text(str(error))
             return []
-        if placed and self._last is not None and placed[0].stamp_ns == self._last.stamp_ns:
-            self._frame = placed[0].frame_id.removeprefix("/")
+        if self._last is not None:
+            stamp_ns = self._last.stamp_ns
+            newest = next((part.frame_id for part in placed if part.stamp_ns == stamp_ns), self._frame)
+            self._frame = newest.removeprefix("/")
         fault = self._fault or (display.status if isinstance(display, RobotDisplay) else "")
         if len(placed) > MAX_SHAPES:
             fault = fault or f"{len(placed)} shapes, of which {MAX_SHAPES} are shown"
@@ -172,6 +224,14 @@ class Feed:
         drawn, obstacle = self._place(buffer, fixed_frame, held_ns, placed)
         self.status = shown_text(fault or obstacle)
         return drawn
+
+    def _shapes(self, display: Display, now_ns: int) -> list[Placed]:
+        if self._replay is not None or not self._shows_several:
+            return display.shapes(now_ns)
+        if self._placed_of is not self._run:  # the same list as long as nothing comes
+            self._placed_of = self._run
+            self._placed = [placed for taken in self._run for placed in taken.placed]
+        return self._placed
 
     def frames(self) -> list[str]:
         """Return the frame of each shape of a robot, which a click on it selects; none of what can't be clicked."""
@@ -212,16 +272,58 @@ class Feed:
         # Of a topic that is read again, nothing has come yet.
         if entry == self._last or (entry is None and held_ns is None):
             return
-        display.clear()
         self._last, self._fault = entry, ""
-        if entry is None:
+        if entry is None or not self._shows_several:
+            display.clear()
+            if entry is not None:
+                self._fault = _given(display, entry)
             return
-        for one in self._cursor.log.run(entry, self._run) if self._run > 1 else [entry]:
-            self._fault = ""
-            try:
-                display.take(one.message(), one.stamp_ns)
-            except Exception as error:  # of one message: the next one may be good
-                self._fault = fault_text(error)
+        self._run = self._taken(display, self._entries_with(entry))
+        self._fault = next(taken.fault for taken in self._run if taken.key == _key(entry))
+
+    @property
+    def _shows_several(self) -> bool:
+        return bool(self._values.get("history", 1) > 1 or self._values.get("decay_s", 0.0) > 0.0)
+
+    def _entries_with(self, entry: Entry) -> list[Entry]:
+        """Return the messages to show with the newest one, that one last."""
+        if "decay_s" in self._values:
+            return self._cursor.log.run(entry, MAX_RUN, int(self._values["decay_s"] * 1e9))
+        # Of odometry, messages that have not moved are left out, and so more are looked at.
+        count = MAX_RUN if "position_tolerance" in self._values else self._values["history"]
+        return self._cursor.log.run(entry, count)
+
+    def _taken(self, display: Display, entries: list[Entry]) -> list[_Taken]:
+        """Return what is shown of some messages, of which the last one is shown in any case.
+
+        What was shown before keeps its place among the shapes: the page has it already.
+        """
+        before = {taken.key: taken for taken in self._run}
+        now = {}
+        for entry in entries:
+            key = _key(entry)
+            now[key] = before.get(key) or _taken(display, entry)
+        kept = {taken.key: taken for taken in self._thinned(list(now.values()))}
+        fresh = [taken for key, taken in kept.items() if key not in before]
+        places: list[_Taken] = []
+        for taken in self._run:
+            if taken.key in kept:
+                places.append(taken)
+            elif fresh:
+                places.append(fresh.pop(0))
+        return places + fresh
+
+    def _thinned(self, run: list[_Taken]) -> list[_Taken]:
+        """Return the newest ones of a run that may be shown, the oldest first."""
+        if "position_tolerance" in self._values:
+            run = _moved(run, self._values["position_tolerance"], self._values["angle_tolerance"])
+        run = run[-self._values.get("history", MAX_RUN) :]
+        points = 0
+        for number, taken in enumerate(reversed(run)):
+            points += taken.points
+            if number and points > MAX_RUN_POINTS:
+                return run[-number:]
+        return run
 
     def _place(
         self, buffer: Buffer, fixed_frame: str, held_ns: int | None, placed: list[Placed]
@@ -242,6 +344,55 @@ class Feed:
                     obstacle = obstacle or fault_text(error)
             drawn.append((part.shape, pose))
         return drawn, obstacle
+
+
+class _Taken(NamedTuple):
+    """What is shown of one message."""
+
+    key: tuple[int, bytes]
+    placed: list[Placed]
+    fault: str
+
+    @property
+    def points(self) -> int:
+        """Number of points."""
+        return sum(
+            len(part.shape.positions) for part in self.placed if isinstance(part.shape, (Points, Copies))
+        )
+
+
+def _key(entry: Entry) -> tuple[int, bytes]:
+    return entry.stamp_ns, entry.data
+
+
+def _given(display: Display, entry: Entry) -> str:
+    """Give a display a message; return why it can't be shown, or an empty text."""
+    try:
+        display.take(entry.message(), entry.stamp_ns)
+    except Exception as error:  # of one message: the next one may be good
+        return fault_text(error)
+    return ""
+
+
+def _taken(display: Display, entry: Entry) -> _Taken:
+    display.clear()
+    fault = _given(display, entry)
+    return _Taken(_key(entry), [] if fault else list(display.shapes(entry.stamp_ns)), fault)
+
+
+def _moved(run: list[_Taken], position_m: float, angle_rad: float) -> list[_Taken]:
+    """Return the first pose of a run, those that have moved or turned since the one before, and the last one."""
+    kept: list[_Taken] = []
+    for taken in run:
+        if not kept or not kept[-1].placed or not taken.placed:
+            kept.append(taken)
+            continue
+        before, now = kept[-1].placed[0], taken.placed[0]
+        dot = sum(a * b for a, b in zip(before.rotation_xyzw, now.rotation_xyzw, strict=True))
+        turned_rad = 2.0 * math.acos(min(abs(dot), 1.0))
+        if math.dist(before.position, now.position) >= position_m or turned_rad >= angle_rad:
+            kept.append(taken)
+    return kept if not run or kept[-1] is run[-1] else [*kept, run[-1]]
 
 
 def pose_in(buffer: Buffer, fixed_frame: str, placed: Placed, held_ns: int | None) -> tuple[Pose, bool]:

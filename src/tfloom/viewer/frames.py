@@ -54,6 +54,21 @@ class FramePoses(NamedTuple):
         """Return the index of a frame; -1 if it is not known at this time."""
         return self.names.index(name) if name in self.names else -1
 
+    def without(self, hidden: Collection[str]) -> FramePoses:
+        """Return the others; a frame whose parent is left out has none."""
+        if not hidden:
+            return self
+        kept = np.array([name not in hidden for name in self.names], bool)
+        places = np.where(kept, np.cumsum(kept) - 1, -1)
+        parents = np.append(places, -1)[self.parents]
+        return FramePoses(
+            [name for name in self.names if name not in hidden],
+            self.positions[kept],
+            self.rotations_xyzw[kept],
+            parents[kept],
+            self.far,
+        )
+
     def links(self) -> NDArray[np.intp]:
         """Return the indices of the frames that have a parent (M,)."""
         return np.flatnonzero(self.parents >= 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import math
 import os
 from collections.abc import Callable
@@ -18,7 +19,7 @@ from tfloom.common.xml import make_parser
 from tfloom.viewer.mesh_places import find_mesh
 from tfloom.viewer.shapes import Color, DisplayError, Model
 
-__all__ = ["read_model"]
+__all__ = ["read_model", "translucent"]
 
 MAX_FILE_BYTES = 64 * 1024 * 1024
 MAX_KEPT_BYTES = 256 * 1024 * 1024
@@ -123,6 +124,32 @@ def _glb(path: Path, data: bytes, color: Color | None) -> bytes:
     except Exception as error:  # each format's reader has its own errors
         raise DisplayError(f"{path.name} is not a mesh that can be read: {error}") from None
     return bytes(content)
+
+
+def translucent(glb: bytes, opacity: float) -> bytes:
+    """Return a file of binary glTF whose materials have a share of their opacity; one that is damaged as it was."""
+    length = int.from_bytes(glb[12:16], "little")
+    try:
+        parts = json.loads(glb[20 : 20 + length])
+        materials = parts.setdefault("materials", [])
+        for primitive in (one for mesh in parts["meshes"] for one in mesh["primitives"]):
+            if "material" not in primitive:
+                primitive["material"] = len(materials)
+                materials.append({})
+        for material in materials:
+            surface = material.setdefault("pbrMetallicRoughness", {})
+            red, green, blue, alpha = surface.get("baseColorFactor", (1.0, 1.0, 1.0, 1.0))
+            surface["baseColorFactor"] = [red, green, blue, alpha * opacity]
+            material["alphaMode"] = "BLEND"
+    except (ValueError, TypeError, LookupError, AttributeError, RecursionError):
+        return glb
+    text = json.dumps(parts).encode()
+    text += b" " * (-len(text) % 4)
+    rest = glb[20 + length :]
+    total = 20 + len(text) + len(rest)
+    return b"".join(
+        (glb[:8], total.to_bytes(4, "little"), len(text).to_bytes(4, "little"), b"JSON", text, rest)
+    )
 
 
 def _check(mesh: Any) -> None:

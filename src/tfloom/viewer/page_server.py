@@ -55,7 +55,7 @@ FILES = {
     "/page.css": ("page.css", "text/css; charset=utf-8"),
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
-        for name in ("page", "forms", "plots", "joints", "graph", "keys")
+        for name in ("page", "forms", "plots", "joints", "settings", "graph", "keys")
     },
 }
 PAGE_POLICY = (

@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tfloom.common.files import write_file
 from tfloom.viewer.camera import floor_point
 from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.displays.kinds import described_settings
 from tfloom.viewer.extents import view_of
 from tfloom.viewer.forms.sending import FORM_COMMANDS
 from tfloom.viewer.joints import joint_command, joint_rows
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
+from tfloom.viewer.layout.rviz_text import rviz_text
 from tfloom.viewer.live_only import empty_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
@@ -323,9 +325,11 @@ class Viewer:
         if operation in {"opened", "place", "fit_start", "closed"}:
             self._follow_page(page, operation)
         elif operation == "layout":
-            self._save_layout(page)
+            self._save_layout(page, for_rviz=command.get("form") == "rviz")
         elif operation in {"fit", "joint", "pose"}:
             self._show_robot(page, operation, command)
+        elif operation == "settings":
+            self.pages.answer(page, {"settings": described_settings()})
         elif operation == "plot_topics":
             self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
         elif operation == "plot_fields":
@@ -444,17 +448,22 @@ class Viewer:
         x, y, z = (there - here for there, here in zip(now.position, now.look_at, strict=True))
         return view_of(extent, camera.fov_rad, camera.aspect, (x, y, z))
 
-    def _save_layout(self, page: str) -> None:
-        """Give a page its layout as a file, or write it where the program was told to."""
-        content = layout_text(self.view.layout(self._server.view_point(page)))
-        if self.layout_path is None:
-            self.pages.answer(page, {"layout": content})
+    def _save_layout(self, page: str, *, for_rviz: bool) -> None:
+        """Give a page its layout as a file, ours or RViz's, or write it where the program was told to."""
+        layout, path = self.view.layout(self._server.view_point(page)), self.layout_path
+        is_rviz = for_rviz if path is None else path.suffix == ".rviz"
+        content, unknown = rviz_text(layout) if is_rviz else (layout_text(layout), [])
+        without = f", without what RViz has no counterpart for: {'; '.join(unknown)}" if unknown else ""
+        if path is None:
+            name = "view.rviz" if is_rviz else "view.yaml"
+            done = shown_text(f"the layout is saved as {name}{without}", MAX_NOTE)
+            self.pages.answer(page, {"layout": content, "name": name, "said": done})
             return
         try:
-            write_file(self.layout_path, content)
+            write_file(path, content)
         except OSError as error:
-            raise PageError(f"can't write {self.layout_path}: {error.strerror or error}") from None
-        self.pages.answer(page, {"done": shown_text(f"the layout is saved in {self.layout_path}")})
+            raise PageError(f"can't write {path}: {error.strerror or error}") from None
+        self.pages.answer(page, {"done": shown_text(f"the layout is saved in {path}{without}", MAX_NOTE)})
 
     def _run_live_command(
         self, live: LiveOnly, page: str, operation: str, command: Mapping[str, Any]

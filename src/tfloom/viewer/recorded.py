@@ -31,6 +31,8 @@ STEPS = 200
 """Number of parts in which a recording is read."""
 MAX_STEP_NS = 10_000_000_000
 """Length of the longest of these parts [ns]."""
+MAX_RUN_BYTES = 256 * 1024 * 1024
+"""Size of the messages that are shown together [bytes]."""
 MAX_KEPT_BYTES = 64 * 1024 * 1024
 """Size of the largest part that is kept [bytes]."""
 INDEX_BITS = 32
@@ -105,6 +107,8 @@ class RecordedLog:
         Larger ones than `MAX_KEPT_BYTES` are read again."""
         self._found: tuple[int, int, Entry | None] | None = None
         """The last answer of `newest`, and from when to when it holds [ns since epoch]."""
+        self._last_run: tuple[int, int, list[Entry]] = 0, -1, []
+        """The last answer of `run`, and from when to when it is [ns since epoch]."""
 
     def newest(self, stamp_ns: int | None) -> Entry | None:
         """Return the last message up to a time [ns since epoch]; None: the last of all."""
@@ -123,9 +127,28 @@ class RecordedLog:
                 return newest
         return None
 
-    def run(self, entry: Entry, count: int) -> list[Entry]:
-        """Return up to so many messages of the last `RUN_NS` that end with this one, in the order of their times."""
-        return self._read(0, entry.stamp_ns - RUN_NS, entry.stamp_ns)[-count:] or [entry]
+    def run(self, entry: Entry, count: int, length_ns: int = RUN_NS) -> list[Entry]:
+        """Return up to so many messages of a length of time that end with this one, in the order of their times.
+
+        As the time goes on, what was read before is not read again; the oldest are left out above `MAX_RUN_BYTES`.
+        """
+        start_ns, end_ns = max(0, entry.stamp_ns - length_ns), entry.stamp_ns
+        before_ns, read_ns, kept = self._last_run
+        if before_ns <= start_ns <= read_ns <= end_ns:
+            entries = [
+                *(one for one in kept if one.stamp_ns >= start_ns),
+                *self._read(0, read_ns + 1, end_ns),
+            ]
+        else:
+            entries = self._read(0, start_ns, end_ns)
+        size = 0
+        for number, one in enumerate(reversed(entries)):
+            size += len(one.data)
+            if number >= count or (number and size > MAX_RUN_BYTES):
+                start_ns, entries = entries[-number].stamp_ns, entries[-number:]
+                break
+        self._last_run = start_ns, end_ns, entries
+        return entries or [entry]
 
     def parts(self, number: int, until_ns: int | None) -> Iterator[tuple[int, list[Entry]]]:
         """Yield the messages behind a place, in parts; the place has the number of its part above `INDEX_BITS`."""

@@ -69,7 +69,7 @@ class Scene:
         self._display_frames: dict[str, Sequence[str]] = {}
         """The frame of each shape of a display whose shapes can be clicked."""
         scene.set_up_direction("+z")
-        scene.add_grid(
+        self._floor = scene.add_grid(
             "/floor",
             infinite_grid=True,
             cell_size=1.0,
@@ -80,8 +80,20 @@ class Scene:
             shadow_opacity=0.0,
         )
 
+    def show_floor(self, *, is_shown: bool) -> None:
+        """Show the floor, or hide it."""
+        if self._floor.visible != is_shown:
+            self._floor.visible = is_shown
+
     def draw_frames(
-        self, poses: FramePoses, behind: Collection[str], *, with_names: bool, axes_m: float = DEFAULT_AXES_M
+        self,
+        poses: FramePoses,
+        behind: Collection[str],
+        *,
+        with_names: bool,
+        axes_m: float = DEFAULT_AXES_M,
+        with_axes: bool = True,
+        with_arrows: bool = True,
     ) -> None:
         """Draw frames; those of which the pose is out of date are grey.
 
@@ -90,6 +102,8 @@ class Scene:
             behind: The names of those that are out of date.
             with_names: Whether to draw their names.
             axes_m: Length of their axes [m].
+            with_axes: Whether to draw their axes.
+            with_arrows: Whether to draw arrows to their parents.
         """
         if axes_m != self._axes_m:  # other sizes are other nodes
             self._axes_m = axes_m
@@ -98,9 +112,9 @@ class Scene:
             for handle in handles:
                 handle.remove()
         is_behind = np.array([name in behind for name in poses.names], bool)
-        self._draw_axes(poses, ~is_behind, axes_m)
-        self._draw_grey_axes(poses, is_behind, axes_m)
-        self._draw_arrows(poses, is_behind, axes_m)
+        self._draw_axes(poses, ~is_behind & with_axes, axes_m)
+        self._draw_grey_axes(poses, is_behind & with_axes, axes_m)
+        self._draw_arrows(poses, is_behind, axes_m, is_shown=with_arrows)
         self._draw_names(poses, behind, is_shown=with_names and len(poses.names) <= MAX_NAMES)
 
     def _draw_axes(self, poses: FramePoses, is_fresh: NDArray[np.bool_], axes_m: float) -> None:
@@ -149,8 +163,10 @@ class Scene:
         add = partial(self._scene.add_line_segments, thickness=width_px, thickness_units="screen")
         return _set_ends(handle, ends, partial(add, name, ends, colors))
 
-    def _draw_arrows(self, poses: FramePoses, is_behind: NDArray[np.bool_], axes_m: float) -> None:
-        children = poses.links()
+    def _draw_arrows(
+        self, poses: FramePoses, is_behind: NDArray[np.bool_], axes_m: float, *, is_shown: bool
+    ) -> None:
+        children = poses.links() if is_shown else np.empty(0, np.intp)
         pairs = np.stack([poses.positions[children], poses.positions[poses.parents[children]]], axis=1)
         ends = pairs.astype(np.float32)
         colors = np.where(is_behind[children, np.newaxis], np.array(GREY), np.array(YELLOW)).astype(np.uint8)

@@ -9,6 +9,8 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from tfloom.viewer.color_scale import AxisColors
+
 __all__ = [
     "AT_VIEW",
     "Arrows",
@@ -50,7 +52,10 @@ class Points:
     """(N, 3), or (3,) for all."""
     size_m: float = 0.03
     size_px: float | None = None
-    """In place of that in metres: on the screen, at any distance; None: none."""
+    """In place of that in metres: on the screen, at any distance, as squares; None: none."""
+    form: Literal["circle", "square"] = "circle"
+    by_axis: AxisColors | None = None
+    """By what their colours follow from their pose, in place of `colors`; None: they don't."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +67,8 @@ class Lines:
     colors: NDArray[np.uint8]
     """(N, 2, 3), or (3,) for all."""
     width_px: float = 2.0
+    width_m: float | None = None
+    """In place of that on the screen; None: none."""
 
 
 @dataclass(frozen=True)
@@ -83,6 +90,7 @@ class Axes:
     rotations_xyzw: NDArray[np.float32]
     """(N, 4)."""
     length_m: float = 0.3
+    radius_m: float = 0.012
 
 
 @dataclass(frozen=True)
@@ -139,6 +147,8 @@ class Copies:
     colors: NDArray[np.uint8]
     """(N, 3)."""
     opacity: float = 1.0
+    by_axis: AxisColors | None = None
+    """As of `Points`."""
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,9 @@ from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.displays.kinds import LABELS, kinds_of
 from tfloom.viewer.displays.robot_model import RobotDisplay
+from tfloom.viewer.displays.settings import FRAME_SETTINGS, SettingError, to_file, usual_values
 from tfloom.viewer.extents import Extent, extent_of
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import (
@@ -51,7 +52,8 @@ if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2_tools.diagnosis.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
-    from tfloom.viewer.displays.settings import Value
+    from tfloom.viewer.displays.kinds import Kind
+    from tfloom.viewer.displays.settings import Setting, Value
     from tfloom.viewer.drawing import Pose
     from tfloom.viewer.scene import Scene
     from tfloom.viewer.shapes import Shape
@@ -72,6 +74,8 @@ MAX_DISPLAYS = 100
 MAX_ROWS = 1000
 """Number of rows of the tree that a page gets."""
 MAX_FINDINGS = 100
+MAX_PARTS = 200
+"""Number of a display's parts, as namespaces, that a page gets."""
 FAR_NOTE = f"further than {MAX_COORDINATE_M:g} m: not drawn"
 PLOT_POINTS = 300
 """Number of points of the plot of the selected frames."""
@@ -126,6 +130,7 @@ class SharedView:
         """The frames of the finding that was clicked, as long as there is such a finding."""
         self._trails: list[str] = []
         self._feeds: dict[str, Feed] = {}
+        """By the display's name: its topic, and of further displays of a topic a number behind it."""
         self._drawn: dict[str, list[tuple[Shape, Pose | None]]] = {}
         """What each display showed last."""
         self.near: Path | None = None
@@ -133,10 +138,11 @@ class SharedView:
         self.about: Callable[[str], str] = lambda _: ""
         """Returns a line about a selected frame, or an empty text."""
         self._wanted: dict[str, DisplayLayout] = {}
-        """What to show as soon as its topic is there, by the topic."""
+        """What to show as soon as its topic is there, by the display's name."""
         self.plots = Plots(topics, history_ns if is_live else None)
         self._with_names = True
         self._axes_m = DEFAULT_AXES_M
+        self._frame_settings: dict[str, Any] = usual_values(FRAME_SETTINGS)
         self._started_ns = time.time_ns()
         self._rates = Rates()
         self._rows: list[Row] = []
@@ -164,7 +170,12 @@ class SharedView:
             "mark": self._mark,
             "trail": self._set_trail,
             "display": lambda command: self.set_display(text(command, "topic"), on=flag(command, "on")),
+            "another": lambda command: self._show_another(
+                DisplayLayout(text(command, "topic"), kind=text(command, "kind"))
+            ),
             "choose": self._choose,
+            "set": self._set,
+            "set_frames": self._set_frames,
             "names": self._show_names,
             "axes": self._set_axes,
             "plot": self._set_plot,
@@ -188,6 +199,34 @@ class SharedView:
         if (feed := self._feeds.get(topic)) is None:
             raise PageError(f"{topic} is not shown")
         feed.choose(text(command, "choice"))
+
+    def _set(self, command: Mapping[str, Any]) -> None:
+        name, setting = text(command, "topic"), text(command, "setting")
+        if (feed := self._feeds.get(name)) is None:
+            raise PageError(f"{name} is not shown")
+        feed.set(setting, _setting_of(feed.kind.settings, feed.kind.label, setting, command.get("value")))
+
+    def _set_frames(self, command: Mapping[str, Any]) -> None:
+        name = text(command, "setting")
+        value = _setting_of(FRAME_SETTINGS, "TF", name, command.get("value"))
+        self._frame_settings[name] = FRAME_SETTINGS[name].usual if value is None else value
+
+    def _show_another(self, display: DisplayLayout) -> None:
+        """Show a topic once more, to set the second display in another way, or a display without a topic."""
+        name = self._free_name(display.topic or display.kind)
+        self._wanted[name] = display
+        try:
+            self.set_display(name, on=True)
+        except PageError:
+            self._wanted.pop(name, None)
+            raise
+
+    def _free_name(self, first: str) -> str:
+        """Return the name of a further display of a topic, or of a kind."""
+        numbered = (f"{first} #{number}" for number in itertools.count(2))
+        return next(
+            name for name in itertools.chain([first], numbered) if name not in {*self._feeds, *self._wanted}
+        )
 
     def _show_names(self, command: Mapping[str, Any]) -> None:
         self._with_names = flag(command, "on")
@@ -244,53 +283,74 @@ class SharedView:
             self._trails.append(frame)
         self._next_trail_s = 0.0
 
-    def set_display(self, topic: str, *, on: bool) -> None:
+    def set_display(self, name: str, *, on: bool) -> None:
         """Show a topic, or no longer show it.
+
+        Args:
+            name: The topic, or the name of a further display of a topic.
+            on: Whether to show it.
 
         Raises:
             PageError: there is no such topic, or nothing shows messages of its type.
         """
         if not on:
-            self._wanted.pop(topic, None)
-            if (feed := self._feeds.pop(topic, None)) is not None:
+            self._wanted.pop(name, None)
+            if (feed := self._feeds.pop(name, None)) is not None:
                 feed.close()
-            self._drawn.pop(topic, None)
-            self._scene.draw_display(topic, [])
+            self._drawn.pop(name, None)
+            self._scene.draw_display(name, [])
             return
-        if topic in self._feeds:
+        if name in self._feeds:
             return
+        wanted = self._wanted.get(name, DisplayLayout(name))
         if self._is_suspended:  # the page that asked has gone
-            self.want(topic)
+            self._wanted[name] = wanted
             return
-        wanted = self._wanted.get(topic, DisplayLayout(topic))
-        feed = self._feeds[topic] = self._opened_feed(topic, dict(wanted.settings))
-        self._wanted.pop(topic, None)
+        feed = self._feeds[name] = self._opened_feed(wanted)
+        self._wanted.pop(name, None)
         if wanted.choice and feed.display is not None:
             feed.display.choice = wanted.choice  # what there is to choose from is known by the first message
-        for name in sorted(dict(wanted.settings).keys() - feed.settings.keys()):
-            _print_missing(f"{name} of {topic}", PageError(f"{feed.kind.label} has no such setting"))
+        for setting, value in wanted.settings:
+            try:
+                feed.set(setting, _setting_of(feed.kind.settings, feed.kind.label, setting, to_file(value)))
+            except PageError as error:
+                _print_missing(f"{setting} of {name}", error)
 
-    def _opened_feed(self, topic: str, settings: Mapping[str, Value]) -> Feed:
-        type_name = self.topics.types().get(topic)
-        if type_name is None:
-            raise PageError(f"there is no topic {topic!r}")
-        kind = kind_of(topic, type_name)
-        if kind is None:
-            raise PageError(f"no display shows {type_name}")
+    def _opened_feed(self, wanted: DisplayLayout) -> Feed:
+        kind, topic = self._kind_of(wanted), wanted.topic
         if len(self._feeds) >= MAX_DISPLAYS:
             raise PageError(f"there are {MAX_DISPLAYS} displays already")
+        if not kind.has_topic:
+            return Feed("", kind)
         try:
             cursor = self.topics.open(topic)
         except DisplayError as error:
             raise PageError(str(error)) from None
         try:
-            feed = Feed(topic, kind, cursor, settings)
+            feed = Feed(topic, kind, cursor)
         except BaseException:
             cursor.close()
             raise
         if isinstance(feed.display, RobotDisplay):
             feed.display.near = self.near
         return feed
+
+    def _kind_of(self, wanted: DisplayLayout) -> Kind:
+        """Return the kind of a display that is wanted.
+
+        Raises:
+            PageError: there is no such topic, or nothing shows messages of its type, or not in this way.
+        """
+        asked = LABELS.get(wanted.kind)
+        if asked is not None and not asked.has_topic:
+            return asked
+        type_name = self.topics.types().get(wanted.topic)
+        if type_name is None:
+            raise PageError(f"there is no topic {wanted.topic!r}")
+        kinds = kinds_of(wanted.topic, type_name)
+        if not kinds:
+            raise PageError(f"no display shows {type_name}")
+        return asked if asked in kinds else kinds[0]
 
     def feed(self, topic: str) -> Feed | None:
         """Return what a display shows; None if the topic isn't shown."""
@@ -308,6 +368,16 @@ class SharedView:
         """Show a topic as soon as it is there, with what is chosen and set for it."""
         self._wanted.setdefault(topic, DisplayLayout(topic, choice, settings))
 
+    def _want_another(self, display: DisplayLayout) -> None:
+        """Show a topic as soon as it is there, besides what is shown of it; not twice in the same way."""
+        shown = [*map(_layout_of, self._feeds.values()), *self._wanted.values()]
+        if display not in shown:
+            # A topic that is shown without settings of its own is shown as the layout says.
+            first = display.topic or display.kind
+            if first in self._feeds and self._feeds[first].is_plain:
+                self.set_display(first, on=False)
+            self._wanted[self._free_name(first)] = display
+
     def apply(self, layout: Layout) -> None:
         """Show what a layout says, each topic as soon as it is there."""
         self._chosen_frame = _sendable(layout.fixed_frame)
@@ -322,8 +392,9 @@ class SharedView:
                 report(
                     f"tfloom: the layout's start_offset, {layout.start_offset_s:g} s, is not used: {error}"
                 )
-        for display in layout.displays:
-            self.want(*display)
+        self._frame_settings |= dict(layout.frames)
+        for display in layout.displays[:MAX_DISPLAYS]:
+            self._want_another(display)
         for plot in layout.plots:
             try:
                 self.plots.add(plot.topic, plot.field, is_there=False)
@@ -352,6 +423,11 @@ class SharedView:
             fixed_frame=self.fixed_frame,
             with_names=self._with_names,
             axes_m=self._axes_m,
+            frames=tuple(
+                (name, value)
+                for name, value in self._frame_settings.items()
+                if value != FRAME_SETTINGS[name].usual
+            ),
             trails=tuple(self._trails),
             displays=tuple(displays),
             plots=tuple(PlotLayout(*name) for name in self.plots.names()),
@@ -369,12 +445,13 @@ class SharedView:
     def resume(self) -> None:
         """Read the topics of the displays again, and show what they have from now on."""
         self._is_suspended = False
-        for topic, feed in list(self._feeds.items()):
+        for name, feed in list(self._feeds.items()):
             try:
-                feed.read(self.topics.open(topic))
+                if feed.kind.has_topic:
+                    feed.read(self.topics.open(feed.topic))
             except Exception:  # of one topic, which is tried again: the others are read
-                self.set_display(topic, on=False)
-                self.want(*_layout_of(feed))
+                self.set_display(name, on=False)
+                self._wanted[name] = _layout_of(feed)
 
     def look_at_clock(self) -> None:
         """Begin anew where the time on /clock has gone back, as that of a simulation does that is reset.
@@ -397,12 +474,12 @@ class SharedView:
 
     def _show_wanted(self) -> None:
         types = self.topics.types()
-        for topic in [topic for topic in self._wanted if topic in types]:
+        for name in [name for name, wanted in self._wanted.items() if wanted.topic in {*types, ""}]:
             try:
-                self.set_display(topic, on=True)
+                self.set_display(name, on=True)
             except PageError as error:
-                _print_missing(topic, error)
-            self._wanted.pop(topic, None)
+                _print_missing(name, error)
+            self._wanted.pop(name, None)
 
     # What follows of it.
 
@@ -457,6 +534,8 @@ class SharedView:
         self._try("the selected frames can't be drawn", self._draw_selection)
         self._try("the frames of a finding can't be drawn", self._draw_marks)
         self._try("images of cameras can't be drawn", lambda: self._give_images(held_ns))
+        is_gridless = all(feed.kind.label != "Grid" for feed in self._feeds.values())
+        self._try("the floor can't be drawn", lambda: self._scene.show_floor(is_shown=is_gridless))
         now_ns = self._source.now_ns() if held_ns is None else held_ns
         for topic, feed in self._feeds.items():
             try:
@@ -469,7 +548,9 @@ class SharedView:
 
     def extent(self) -> Extent | None:
         """Return the box around all that is shown, in the fixed frame; None where nothing is."""
-        drawn = itertools.chain.from_iterable(self._drawn.values())
+        drawn = itertools.chain.from_iterable(
+            drawn for name, drawn in self._drawn.items() if self._feeds[name].kind.label != "Grid"
+        )
         frames = self._poses.positions
         return extent_of(np.concatenate([frames - self._axes_m, frames + self._axes_m]), drawn)
 
@@ -486,7 +567,8 @@ class SharedView:
     def is_whole(self) -> bool:
         """Whether all that was asked for is shown: nothing is still read."""
         displays = [feed.display for feed in self._feeds.values()]
-        return self._wanted.keys().isdisjoint(self.topics.types()) and all(
+        topics = {wanted.topic for wanted in self._wanted.values()}
+        return topics.isdisjoint(self.topics.types()) and all(
             display.is_whole for display in displays if isinstance(display, RobotDisplay)
         )
 
@@ -501,7 +583,27 @@ class SharedView:
         self._poses = frames_at(self.buffer, fixed, LATEST if held_ns is None else held_ns)
         stale = {row.child for row in self._rows if row.health is Health.STALE} if held_ns is None else set()
         behind = frames_behind(self._parents, stale, fixed, self._poses.names)
-        self._scene.draw_frames(self._poses, behind, with_names=self._with_names, axes_m=self._axes_m)
+        settings = self._frame_settings
+        hidden = {*settings["hidden_frames"], *self._timed_out(held_ns)}
+        self._scene.draw_frames(
+            self._poses.without(hidden),
+            behind,
+            with_names=self._with_names,
+            axes_m=self._axes_m,
+            with_axes=settings["show_axes"],
+            with_arrows=settings["show_arrows"],
+        )
+
+    def _timed_out(self, held_ns: int | None) -> Iterable[str]:
+        """Return the frames of which nothing has come for the timeout; none at a time that is held."""
+        timeout_s = self._frame_settings["timeout_s"]
+        if held_ns is not None or not timeout_s:
+            return ()
+        return (
+            stored_name(row.child)
+            for row in self._rows
+            if row.health is not Health.STATIC and row.age_s is not None and row.age_s > timeout_s
+        )
 
     def _draw_trails(self, fixed: str, held_ns: int | None) -> None:
         self._scene.draw_trails(
@@ -518,10 +620,10 @@ class SharedView:
 
     def _give_images(self, held_ns: int | None) -> None:
         """Let the pyramids of cameras have the images that are shown."""
-        images = [topic for topic, feed in self._feeds.items() if feed.display is None]
-        for topic, feed in self._feeds.items():
+        images = [feed.topic for feed in self._feeds.values() if feed.display is None]
+        for feed in self._feeds.values():
             if isinstance(feed.display, CameraDisplay):
-                chosen = feed.display.offer(images_of(topic, images))
+                chosen = feed.display.offer(images_of(feed.topic, images))
                 image = self._feeds.get(chosen)
                 feed.display.set_image(None if image is None else image.newest(held_ns))
 
@@ -551,6 +653,7 @@ class SharedView:
             "rows": self._listed("frames", lambda: map(self._row, self._rows[:MAX_ROWS])),
             "with_names": self._with_names,
             "axes_m": self._axes_m,
+            "frame_settings": self._frame_settings,
             "trails": list(map(_sendable, self._trails)),
             "selection": self._selection(held_ns),
             "marked": list(map(_sendable, self._marked)),
@@ -590,15 +693,22 @@ class SharedView:
     def _displays(self) -> list[dict[str, Any]]:
         types = self.topics.types()
         rows = []
-        for topic in sorted({*types, *self._feeds}):
-            feed = self._feeds.get(topic)
-            kind = feed.kind if feed is not None else kind_of(topic, types[topic])
-            if kind is None:
+        for name in sorted({*types, *self._feeds}):
+            feed = self._feeds.get(name)
+            kinds = [feed.kind] if feed is not None else kinds_of(name, types[name])
+            if not kinds:
                 continue
+            kind = kinds[0]
             display = None if feed is None else feed.display
             rows.append(
                 {
-                    "topic": _sendable(topic),
+                    "topic": _sendable(name),
+                    "of_topic": _sendable(name if feed is None else feed.topic),
+                    "kinds": [one.label for one in kinds_of(feed.topic, types.get(feed.topic, ""))]
+                    if feed
+                    else [],
+                    "values": {} if feed is None else feed.values,
+                    "parts": [] if feed is None else list(map(_sendable, feed.parts()[:MAX_PARTS])),
                     "kind": kind.label,
                     "on": feed is not None,
                     "is_image": not kind.module,
@@ -648,7 +758,21 @@ class SharedView:
 
 def _layout_of(feed: Feed) -> DisplayLayout:
     choice = "" if feed.display is None else feed.display.choice
-    return DisplayLayout(feed.topic, choice, tuple(feed.settings.items()))
+    return DisplayLayout(feed.topic, choice, tuple(feed.settings.items()), feed.kind.label)
+
+
+def _setting_of(settings: Mapping[str, Setting], label: str, name: str, value: Any) -> Value | None:
+    """Return a value that a page sets; None stands for the usual one.
+
+    Raises:
+        PageError: there is no such setting, or it can't have this value.
+    """
+    if name not in settings:
+        raise PageError(f"{label} has no setting {name!r}")
+    try:
+        return None if value is None else settings[name].taken(value)
+    except SettingError as error:
+        raise PageError(f"{name} {error}") from None
 
 
 def _print_missing(what: str, error: PageError) -> None:

@@ -26,8 +26,8 @@ MAX_BYTES = 128 * 1024 * 1024
 """Size of the messages of one topic in its history [bytes]."""
 MAX_ENTRIES = 20_000
 """Number of messages of one topic in its history."""
-RUN_NS = 5_000_000_000
-"""How far before a message those are that are shown with it [ns]."""
+RUN_NS = 60_000_000_000
+"""How far before a message those are that are shown with it, where nothing else is said [ns]."""
 START = -1
 """The place before the first message."""
 END = 2**63
@@ -75,8 +75,8 @@ class Log(Protocol):
     def newest(self, stamp_ns: int | None) -> Entry | None:
         """Return the last message of a stamp up to this one [ns since epoch]; None: the last of all."""
 
-    def run(self, entry: Entry, count: int) -> list[Entry]:
-        """Return up to so many messages of the last `RUN_NS` that end with this one, in the order of their stamps."""
+    def run(self, entry: Entry, count: int, length_ns: int = RUN_NS) -> list[Entry]:
+        """Return up to so many messages of a length of time that end with this one, in the order of their stamps."""
 
     def parts(self, number: int, until_ns: int | None) -> Iterator[tuple[int, list[Entry]]]:
         """Yield the messages behind a place, in parts, each with the place behind it.
@@ -232,11 +232,11 @@ class TopicLog:
         index = max(index, int(self.is_latched and bool(history)))
         return history[index - 1] if index else None
 
-    def run(self, entry: Entry, count: int) -> list[Entry]:
-        """Return up to so many messages of the last `RUN_NS` that end with this one, in the order of their stamps."""
+    def run(self, entry: Entry, count: int, length_ns: int = RUN_NS) -> list[Entry]:
+        """Return up to so many messages of a length of time that end with this one, in the order of their stamps."""
         end = bisect.bisect_left(self._by_stamp, _order(entry), key=_order)
         before = self._by_stamp[max(0, end + 1 - count) : end]
-        return [*(one for one in before if one.stamp_ns >= entry.stamp_ns - RUN_NS), entry]
+        return [*(one for one in before if one.stamp_ns >= entry.stamp_ns - length_ns), entry]
 
     def parts(
         self,

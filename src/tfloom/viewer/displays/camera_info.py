@@ -17,6 +17,7 @@ from tfloom.viewer.shapes import DisplayError, Lines, Picture, Placed
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from tfloom.viewer.displays.settings import Values
     from tfloom.viewer.topic_log import Entry
 
 __all__ = ["CameraDisplay", "images_of"]
@@ -44,7 +45,8 @@ class CameraDisplay:
 
     keeps_all = False
 
-    def __init__(self) -> None:
+    def __init__(self, settings: Values) -> None:
+        self.settings = settings
         self.choices: Sequence[str] = ()
         """The camera's images, if some are shown."""
         self.choice = ""

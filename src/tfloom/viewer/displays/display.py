@@ -11,11 +11,12 @@ import numpy as np
 from tfloom.viewer.shapes import Color, DisplayError, Placed
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike, NDArray
+    from numpy.typing import NDArray
+
+    from tfloom.viewer.displays.settings import Values
 
 __all__ = [
     "MAX_COORDINATE_M",
-    "POINT_PX",
     "Display",
     "KeepingDisplay",
     "Latest",
@@ -24,7 +25,6 @@ __all__ = [
     "finite_points",
     "point_table",
     "pose_of",
-    "rainbow",
     "shown_text",
     "stamp_of",
 ]
@@ -35,11 +35,8 @@ Rotation = tuple[float, float, float, float]
 MAX_TEXT = 200
 """Number of characters of a text that are shown."""
 
-
 MAX_COORDINATE_M = 1e12
 """Coordinates at or above this are not drawn: pages compute with numbers of 32 bits [m]."""
-POINT_PX = 3.0
-"""Size of a measured point on the screen [pixels], at any distance, as RViz's points have it."""
 
 
 class Display(Protocol):
@@ -81,20 +78,41 @@ class KeepingDisplay(Display, Protocol):
 
 
 class Latest:
-    """A display of the last message, by a function from a message to shapes."""
+    """A display of single messages, by a function from a message and the settings to shapes.
+
+    Args:
+        settings: A value for each setting; it may change.
+        shapes_of: The function; None: a method of a subclass.
+    """
 
     keeps_all = False
     choices: Sequence[str] = ()
     choice = ""
 
-    def __init__(self, shapes_of: Callable[[Any], list[Placed]]) -> None:
+    def __init__(
+        self, settings: Values, shapes_of: Callable[[Any, Values], list[Placed]] | None = None
+    ) -> None:
+        self.settings = settings
         self._shapes_of = shapes_of
         self._shapes: list[Placed] = []
 
+    def shapes_of(self, message: Any) -> list[Placed]:
+        """Return the shapes of a message.
+
+        Raises:
+            DisplayError: it can't be shown.
+        """
+        assert self._shapes_of is not None  # noqa: S101  # for the type checker; subclasses have a method of their own
+        return self._shapes_of(message, self.settings)
+
     def take(self, message: Any, stamp_ns: int) -> None:  # the header's stamp counts
-        """Take the only message that matters."""
+        """Take the only message that matters.
+
+        Raises:
+            DisplayError: it can't be shown.
+        """
         self._shapes = []
-        self._shapes = self._shapes_of(message)
+        self._shapes = self.shapes_of(message)
 
     def clear(self) -> None:
         """Forget the message."""
@@ -154,48 +172,6 @@ def color_of(color: Any) -> tuple[Color, float]:
         for part in (color.r, color.g, color.b, color.a)
     )
     return (round(255 * red), round(255 * green), round(255 * blue)), opacity
-
-
-def rainbow(values: ArrayLike) -> NDArray[np.uint8]:
-    """Return a colour for each value (N, 3): red is the least, violet the greatest; what is not finite is grey."""
-    numbers = np.asarray(values, np.float64)
-    is_finite = np.isfinite(numbers)
-    if is_finite.all():
-        return _rainbow_of_finite(numbers)
-    colors = np.full((len(numbers), 3), 128, np.uint8)
-    colors[is_finite] = _rainbow_of_finite(numbers[is_finite])
-    return colors
-
-
-def _rainbow_of_finite(known: NDArray[np.float64]) -> NDArray[np.uint8]:
-    if not len(known):
-        return np.empty((0, 3), np.uint8)
-    # The extremes are those of most points, because a few stray ones would otherwise leave all others one colour. Of
-    # many, some are enough to know them.
-    some = known[:: max(1, len(known) // MAX_SORTED)]
-    low, high = np.percentile(some, (1.0, 99.0)) if len(known) > 200 else (known.min(), known.max())
-    # Halves, because the difference of two numbers may be beyond what a number holds.
-    low, high = low / 2.0, high / 2.0
-    if not high > low:
-        return np.tile(_RAINBOW[0], (len(known), 1))
-    share = np.clip((known / 2.0 - low) / (high - low), 0.0, 1.0)
-    colors: NDArray[np.uint8] = np.take(_RAINBOW, (share * (COLORS - 1)).astype(np.intp), axis=0)
-    return colors
-
-
-def _rainbow_table() -> NDArray[np.uint8]:
-    """Return the colours in their order: looked up, a colour takes a fraction of the time that computing it does."""
-    hue = np.linspace(0.0, 0.8 * 6.0, COLORS)
-    # The three channels of a hue are one trapezoid, shifted by two sixths of the circle.
-    channels = np.stack([np.abs(hue - 3.0) - 1.0, 2.0 - np.abs(hue - 2.0), 2.0 - np.abs(hue - 4.0)], axis=1)
-    return (255.0 * np.clip(channels, 0.0, 1.0)).astype(np.uint8)
-
-
-COLORS = 2048
-"""Number of colours from red to violet, more than a page tells apart."""
-MAX_SORTED = 10_000
-"""Number of values, about, of which the extremes are found."""
-_RAINBOW = _rainbow_table()
 
 
 def shown_text(text: str, most: int = MAX_TEXT) -> str:

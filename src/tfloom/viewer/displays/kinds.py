@@ -5,17 +5,48 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom.viewer.displays.display import Display, Latest
+from tfloom.viewer.displays.settings import (
+    AXES_SETTINGS,
+    CELLS_SETTINGS,
+    CLOUD_SETTINGS,
+    FRAME_SETTINGS,
+    GRID_SETTINGS,
+    MAP_SETTINGS,
+    MARKER_SETTINGS,
+    ODOMETRY_SETTINGS,
+    PATH_SETTINGS,
+    POINT_SETTINGS,
+    POLYGON_SETTINGS,
+    POSE_ARRAY_SETTINGS,
+    POSE_SETTINGS,
+    POSE_WITH_COVARIANCE_SETTINGS,
+    RANGE_SETTINGS,
+    ROBOT_SETTINGS,
+    SCAN_SETTINGS,
+    TWIST_SETTINGS,
+    WRENCH_SETTINGS,
+    usual_values,
+)
 
 if TYPE_CHECKING:
-    from tfloom.viewer.displays.settings import Value
+    from tfloom.viewer.displays.settings import Setting, Values
 
-__all__ = ["KEPT_TYPES", "KINDS", "NO_SETTINGS", "Kind", "kind_of", "make_display"]
+__all__ = [
+    "KEPT_TYPES",
+    "KINDS",
+    "LABELS",
+    "ROBOT",
+    "Kind",
+    "described_settings",
+    "kind_of",
+    "kinds_of",
+    "make_display",
+]
 
-NO_SETTINGS: Mapping[str, Value] = MappingProxyType({})
-"""Of a display that has none, or of which a layout sets none."""
+NO_SETTINGS: Mapping[str, Setting] = MappingProxyType({})
 
 
 class Kind(NamedTuple):
@@ -27,77 +58,99 @@ class Kind(NamedTuple):
     """The file of this folder, imported when it is used."""
     name: str
     """A function from a message to shapes, or a class of displays."""
-    settings: Mapping[str, Value] = NO_SETTINGS
-    """Its settings, with the values that count where a layout sets none."""
+    settings: Mapping[str, Setting] = NO_SETTINGS
+    """Its settings, by their names in layouts."""
+    has_topic: bool = True
+    """Whether it shows a topic; if not, the frames alone."""
 
 
 KEPT_TYPES = frozenset(("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray"))
 """Types whose displays keep what earlier messages made."""
 
-WRENCH_SETTINGS: Mapping[str, Value] = {
-    "force_color": (204, 51, 51),
-    "torque_color": (204, 204, 51),
-    "opacity": 1.0,
-    "force_scale": 2.0,
-    "torque_scale": 2.0,
-    "width": 0.5,
-    "history": 1,
-}
-"""As in RViz. The scales are the lengths of arrows of 1 N and 1 N m; one shorter than the width is hidden."""
-
 KINDS = {
-    "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay"),
-    "sensor_msgs/msg/PointCloud": Kind("PointCloud", "point_cloud", "shapes_of_old_cloud"),
-    "sensor_msgs/msg/LaserScan": Kind("LaserScan", "ranges", "shapes_of_scan"),
-    "sensor_msgs/msg/Range": Kind("Range", "ranges", "shapes_of_range"),
+    "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay", CLOUD_SETTINGS),
+    "sensor_msgs/msg/PointCloud": Kind("PointCloud", "point_cloud", "OldCloudDisplay", CLOUD_SETTINGS),
+    "sensor_msgs/msg/LaserScan": Kind("LaserScan", "ranges", "LaserScanDisplay", SCAN_SETTINGS),
+    "sensor_msgs/msg/Range": Kind("Range", "ranges", "shapes_of_range", RANGE_SETTINGS),
     "sensor_msgs/msg/CameraInfo": Kind("Camera", "camera_info", "CameraDisplay"),
     "sensor_msgs/msg/Image": Kind("Image", "", ""),
     "sensor_msgs/msg/CompressedImage": Kind("Image", "", ""),
-    "visualization_msgs/msg/Marker": Kind("Marker", "markers", "MarkerDisplay"),
-    "visualization_msgs/msg/MarkerArray": Kind("MarkerArray", "markers", "MarkerDisplay"),
-    "nav_msgs/msg/Path": Kind("Path", "poses", "shapes_of_path"),
-    "nav_msgs/msg/Odometry": Kind("Odometry", "poses", "shapes_of_odometry"),
-    "nav_msgs/msg/OccupancyGrid": Kind("Map", "occupancy_grid", "shapes_of_grid"),
-    "geometry_msgs/msg/PoseStamped": Kind("Pose", "poses", "shapes_of_pose"),
+    "visualization_msgs/msg/Marker": Kind("Marker", "markers", "MarkerDisplay", MARKER_SETTINGS),
+    "visualization_msgs/msg/MarkerArray": Kind("MarkerArray", "markers", "MarkerDisplay", MARKER_SETTINGS),
+    "nav_msgs/msg/Path": Kind("Path", "poses", "shapes_of_path", PATH_SETTINGS),
+    "nav_msgs/msg/Odometry": Kind("Odometry", "poses", "shapes_of_odometry", ODOMETRY_SETTINGS),
+    "nav_msgs/msg/OccupancyGrid": Kind("Map", "occupancy_grid", "shapes_of_grid", MAP_SETTINGS),
+    "nav_msgs/msg/GridCells": Kind("GridCells", "occupancy_grid", "shapes_of_cells", CELLS_SETTINGS),
+    "geometry_msgs/msg/PoseStamped": Kind("Pose", "poses", "shapes_of_pose", POSE_SETTINGS),
     "geometry_msgs/msg/PoseWithCovarianceStamped": Kind(
-        "PoseWithCovariance", "poses", "shapes_of_pose_with_covariance"
+        "PoseWithCovariance", "poses", "shapes_of_pose_with_covariance", POSE_WITH_COVARIANCE_SETTINGS
     ),
-    "geometry_msgs/msg/PoseArray": Kind("PoseArray", "poses", "shapes_of_pose_array"),
-    "geometry_msgs/msg/PointStamped": Kind("PointStamped", "poses", "shapes_of_point"),
-    "geometry_msgs/msg/PolygonStamped": Kind("Polygon", "poses", "shapes_of_polygon"),
-    "geometry_msgs/msg/WrenchStamped": Kind("Wrench", "wrench", "WrenchDisplay", WRENCH_SETTINGS),
+    "geometry_msgs/msg/PoseArray": Kind("PoseArray", "poses", "shapes_of_pose_array", POSE_ARRAY_SETTINGS),
+    "geometry_msgs/msg/PointStamped": Kind("PointStamped", "poses", "shapes_of_point", POINT_SETTINGS),
+    "geometry_msgs/msg/PolygonStamped": Kind("Polygon", "poses", "shapes_of_polygon", POLYGON_SETTINGS),
+    "geometry_msgs/msg/WrenchStamped": Kind("Wrench", "wrench", "shapes_of_wrench", WRENCH_SETTINGS),
+    "geometry_msgs/msg/TwistStamped": Kind("TwistStamped", "wrench", "shapes_of_twist", TWIST_SETTINGS),
     "turtlesim/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
     "turtlesim_msgs/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
 }
 """By the type of the messages."""
 
-ROBOT = Kind("RobotModel", "robot_model", "RobotDisplay")
+ROBOT = Kind("RobotModel", "robot_model", "RobotDisplay", ROBOT_SETTINGS)
+PLAIN = (
+    Kind("Axes", "plain", "AxesDisplay", AXES_SETTINGS, has_topic=False),
+    Kind("Grid", "plain", "GridDisplay", GRID_SETTINGS, has_topic=False),
+)
+"""Displays without a topic."""
+OTHERS: Mapping[str, tuple[Kind, ...]] = {}
+"""Further displays of messages, by their type."""
 ROBOT_TYPE = "std_msgs/msg/String"
 ROBOT_TOPIC = "robot_description"
 """A topic of this type is a robot's description where its name ends so."""
 
 
-def kind_of(topic: str, type_name: str) -> Kind | None:
-    """Return the display of a topic; None if there is none for its type."""
+LABELS: Mapping[str, Kind] = {kind.label: kind for kind in (*KINDS.values(), ROBOT, *PLAIN)}
+"""By their labels."""
+
+
+def kinds_of(topic: str, type_name: str) -> list[Kind]:
+    """Return the displays that can show a topic, the usual one first."""
     if type_name == ROBOT_TYPE:
-        return ROBOT if topic.endswith(ROBOT_TOPIC) else None
-    return KINDS.get(type_name)
+        return [ROBOT] if topic.endswith(ROBOT_TOPIC) else []
+    return [kind for kind in (KINDS.get(type_name), *OTHERS.get(type_name, ())) if kind is not None]
 
 
-def make_display(kind: Kind, topic: str, settings: Mapping[str, Value] = NO_SETTINGS) -> Display | None:
+def kind_of(topic: str, type_name: str) -> Kind | None:
+    """Return the usual display of a topic; None if there is none for its type."""
+    return next(iter(kinds_of(topic, type_name)), None)
+
+
+def described_settings() -> dict[str, Any]:
+    """Return what pages have to know of all settings, as values for JSON."""
+
+    def described(settings: Mapping[str, Setting]) -> dict[str, Any]:
+        return {name: setting.description() for name, setting in settings.items()}
+
+    return {
+        "kinds": {label: described(kind.settings) for label, kind in LABELS.items()},
+        "frames": described(FRAME_SETTINGS),
+        "plain": [label for label, kind in LABELS.items() if not kind.has_topic],
+    }
+
+
+def make_display(kind: Kind, topic: str, settings: Values | None = None) -> Display | None:
     """Return a new display; None for one that is shown beside the scene.
 
     Args:
         kind: Its kind.
         topic: The topic that it shows.
-        settings: Values for some of the kind's settings.
+        settings: A value for each of the kind's settings, which may change as long as the display is not asked for
+            shapes; None: the usual ones.
     """
     if not kind.module:
         return None
+    values = usual_values(kind.settings) if settings is None else settings
     made = getattr(import_module(f"tfloom.viewer.displays.{kind.module}"), kind.name)
     if not isinstance(made, type):
-        return Latest(made)
+        return Latest(values, made)
     make: Callable[..., Display] = made
-    if kind.settings:
-        return make({**kind.settings, **settings})
-    return make(topic) if kind.module == "turtles" else make()
+    return make(values, topic) if kind.module == "turtles" else make(values)

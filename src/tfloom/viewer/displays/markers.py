@@ -40,6 +40,8 @@ from tfloom.viewer.shapes import (
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from tfloom.viewer.displays.settings import Values
+
 __all__ = ["MarkerDisplay"]
 
 MAX_MARKERS = 2000
@@ -56,13 +58,18 @@ KIND_NAMES = {
 
 
 class MarkerDisplay:
-    """Shows `visualization_msgs/msg/Marker` and `MarkerArray`: all that are alive."""
+    """Shows `visualization_msgs/msg/Marker` and `MarkerArray`: all that are alive.
+
+    Args:
+        settings: A value for each setting; it may change.
+    """
 
     keeps_all = True
     choices: Sequence[str] = ()
     choice = ""
 
-    def __init__(self) -> None:
+    def __init__(self, settings: Values) -> None:
+        self.settings = settings
         self._markers: dict[tuple[str, int], tuple[int, list[Placed]]] = {}
         """The end of each marker [ns since epoch; 0: none] and its shapes, by namespace and number."""
 
@@ -110,12 +117,17 @@ class MarkerDisplay:
         """Have the markers that were saved."""
         self._markers = saved.copy()
 
+    def parts(self) -> list[str]:
+        """Return the namespaces."""
+        return sorted({namespace for namespace, _ in self._markers})
+
     def shapes(self, now_ns: int) -> list[Placed]:
-        """Return the shapes of the markers that are alive."""
+        """Return the shapes of the markers that are alive, but for those of namespaces that are hidden."""
+        hidden = self.settings["hidden_namespaces"]
         return [
             shape
-            for end_ns, shapes in list(self._markers.values())
-            if not end_ns or now_ns <= end_ns
+            for (namespace, _), (end_ns, shapes) in list(self._markers.items())
+            if namespace not in hidden and (not end_ns or now_ns <= end_ns)
             for shape in shapes
         ]
 

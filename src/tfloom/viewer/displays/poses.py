@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tfloom.tf2.transform import Transform
 from tfloom.viewer.displays.display import finite_points, pose_of, shown_text, stamp_of
-from tfloom.viewer.shapes import Arrows, Axes, Ball, Color, DisplayError, Lines, Placed, Text
+from tfloom.viewer.displays.solids import ArrowSizes, arrow_mesh, axes_shapes, line_shape
+from tfloom.viewer.shapes import Ball, DisplayError, Placed, Shape, Text
+
+if TYPE_CHECKING:
+    from tfloom.viewer.displays.settings import Values
 
 __all__ = [
     "line_strip",
@@ -24,11 +28,6 @@ __all__ = [
 
 MAX_POSES = 20_000
 """Number of an array's poses that are drawn."""
-ARROW_LENGTH_M = 0.5
-RED: Color = (255, 60, 60)
-YELLOW: Color = (255, 210, 60)
-VIOLET: Color = (200, 90, 255)
-COVARIANCE_OPACITY = 0.3
 MAX_SPEED = 30
 """Number of characters of a speed that are drawn."""
 MAX_VARIANCE_M2 = 1e12
@@ -37,25 +36,39 @@ MAX_RADIUS_M = 1000.0
 """Radius of the largest ellipsoid of a covariance that is drawn [m]."""
 MAX_POINTS = 50_000
 """Number of a path's points that are drawn; of more, every second one is, or every third."""
-GREEN = np.array((60, 220, 90), np.uint8)
-ORANGE = np.array((255, 170, 40), np.uint8)
+NO_TURN = (0.0, 0.0, 0.0, 1.0)
 
 
-def _arrow(pose: Any, header: Any, color: Color) -> Placed:
+def _marks(positions: Any, rotations_xyzw: Any, settings: Values) -> list[Shape]:
+    """Return an arrow, or axes, for each of many poses."""
+    if settings["shape"] == "axes":
+        return axes_shapes(
+            positions, rotations_xyzw, settings["axes_length"], settings["axes_radius"], settings["opacity"]
+        )
+    sizes = ArrowSizes(
+        *(settings[name] for name in ("shaft_length", "shaft_radius", "head_length", "head_radius"))
+    )
+    return [arrow_mesh(positions, rotations_xyzw, sizes, settings["color"], settings["opacity"])]
+
+
+def _mark(pose: Any, header: Any, settings: Values) -> list[Placed]:
     position, rotation = pose_of(pose)
-    ends = np.array([[(0.0, 0.0, 0.0), (ARROW_LENGTH_M, 0.0, 0.0)]], np.float32)
-    return Placed(Arrows(ends, color), header.frame_id, stamp_of(header), position, rotation)
+    return [
+        Placed(shape, header.frame_id, stamp_of(header), position, rotation)
+        for shape in _marks([(0.0, 0.0, 0.0)], [NO_TURN], settings)
+    ]
 
 
-def _ellipsoid(pose: Any, header: Any, covariance: Any) -> list[Placed]:
+def _ellipsoid(pose: Any, header: Any, covariance: Any, settings: Values) -> list[Placed]:
     """Return the ellipsoid of one standard deviation; none where the covariance is zero or no covariance."""
     matrix = np.asarray(covariance, np.float64).reshape(6, 6)[:3, :3]
-    if not ((np.abs(matrix) < MAX_VARIANCE_M2).all() and matrix.any()):
+    if not (settings["covariance"] and (np.abs(matrix) < MAX_VARIANCE_M2).all() and matrix.any()):
         return []
     variances, directions = np.linalg.eigh((matrix + matrix.T) / 2.0)
     if variances[0] < -1e-6 * max(variances[2], 1.0):
         return []
-    radii = np.clip(np.sqrt(np.maximum(variances, 0.0)), 0.005, MAX_RADIUS_M)
+    radii = settings["covariance_scale"] * np.sqrt(np.maximum(variances, 0.0))
+    radii = np.clip(radii, 0.005, MAX_RADIUS_M)
     if np.linalg.det(directions) < 0.0:
         directions[:, 0] = -directions[:, 0]
     turned = np.eye(4)
@@ -63,45 +76,49 @@ def _ellipsoid(pose: Any, header: Any, covariance: Any) -> list[Placed]:
     rotation = Transform.from_matrix(turned.tolist()).rotation_xyzw
     # The covariance of a position is along the axes of the header's frame, not along those of the pose.
     position, _ = pose_of(pose)
-    ball = Ball((float(radii[0]), float(radii[1]), float(radii[2])), VIOLET, COVARIANCE_OPACITY)
+    ball = Ball(
+        (float(radii[0]), float(radii[1]), float(radii[2])),
+        settings["covariance_color"],
+        settings["covariance_opacity"],
+    )
     return [Placed(ball, header.frame_id, stamp_of(header), position, rotation)]
 
 
-def shapes_of_pose(message: Any) -> list[Placed]:
-    """Return the arrow of a `geometry_msgs/msg/PoseStamped`."""
-    return [_arrow(message.pose, message.header, RED)]
+def shapes_of_pose(message: Any, settings: Values) -> list[Placed]:
+    """Return the arrow, or the axes, of a `geometry_msgs/msg/PoseStamped`."""
+    return _mark(message.pose, message.header, settings)
 
 
-def shapes_of_pose_with_covariance(message: Any) -> list[Placed]:
-    """Return arrow and ellipsoid of a `geometry_msgs/msg/PoseWithCovarianceStamped`."""
+def shapes_of_pose_with_covariance(message: Any, settings: Values) -> list[Placed]:
+    """Return pose and ellipsoid of a `geometry_msgs/msg/PoseWithCovarianceStamped`."""
     pose, header = message.pose.pose, message.header
-    return [_arrow(pose, header, YELLOW), *_ellipsoid(pose, header, message.pose.covariance)]
+    return [
+        *_mark(pose, header, settings),
+        *_ellipsoid(pose, header, message.pose.covariance, settings),
+    ]
 
 
-def shapes_of_odometry(message: Any) -> list[Placed]:
-    """Return arrow, ellipsoid and speed of a `nav_msgs/msg/Odometry`."""
-    pose, header = message.pose.pose, message.header
-    shapes = [_arrow(pose, header, YELLOW), *_ellipsoid(pose, header, message.pose.covariance)]
+def shapes_of_odometry(message: Any, settings: Values) -> list[Placed]:
+    """Return pose, ellipsoid and speed of a `nav_msgs/msg/Odometry`."""
+    shapes = shapes_of_pose_with_covariance(message, settings)
     linear = message.twist.twist.linear
     speed = math.hypot(float(linear.x), float(linear.y), float(linear.z))
-    if math.isfinite(speed):
-        (x, y, z), _ = pose_of(pose)
-        place = (x, y, z + 0.3)
-        shapes.append(
-            Placed(
-                Text(shown_text(f"{speed:.2f} m/s", MAX_SPEED), 0.15),
-                header.frame_id,
-                stamp_of(header),
-                place,
-            )
-        )
+    if settings["speed"] and math.isfinite(speed):
+        (x, y, z), _ = pose_of(message.pose.pose)
+        label = Text(shown_text(f"{speed:.2f} m/s", MAX_SPEED), 0.15)
+        header = message.header
+        shapes.append(Placed(label, header.frame_id, stamp_of(header), (x, y, z + 0.3)))
     return shapes
 
 
-def shapes_of_pose_array(message: Any) -> list[Placed]:
-    """Return the axes of a `geometry_msgs/msg/PoseArray`; poses with numbers that are not finite are left out."""
+def shapes_of_pose_array(message: Any, settings: Values) -> list[Placed]:
+    """Return the poses of a `geometry_msgs/msg/PoseArray`; those with numbers that are not finite are left out."""
+    return _placed_poses(message.poses, message.header, settings)
+
+
+def _placed_poses(poses: Any, header: Any, settings: Values) -> list[Placed]:
     positions, rotations = [], []
-    for pose in message.poses[:MAX_POSES]:
+    for pose in poses[:MAX_POSES]:
         try:
             position, rotation = pose_of(pose)
         except DisplayError:
@@ -110,14 +127,15 @@ def shapes_of_pose_array(message: Any) -> list[Placed]:
         rotations.append(rotation)
     if not positions:
         return []
-    axes = Axes(np.array(positions, np.float32), np.array(rotations, np.float32))
-    return [Placed(axes, message.header.frame_id, stamp_of(message.header))]
+    return [
+        Placed(shape, header.frame_id, stamp_of(header)) for shape in _marks(positions, rotations, settings)
+    ]
 
 
-def shapes_of_point(message: Any) -> list[Placed]:
+def shapes_of_point(message: Any, settings: Values) -> list[Placed]:
     """Return the ball of a `geometry_msgs/msg/PointStamped`."""
     points = finite_points([message.point])
-    ball = Ball((0.1, 0.1, 0.1), VIOLET)
+    ball = Ball((settings["radius"],) * 3, settings["color"], settings["opacity"])
     return [
         Placed(ball, message.header.frame_id, stamp_of(message.header), (float(x), float(y), float(z)))
         for x, y, z in points
@@ -129,8 +147,8 @@ def line_strip(points: Any) -> Any:
     return np.stack([points[:-1], points[1:]], axis=1)
 
 
-def shapes_of_path(message: Any) -> list[Placed]:
-    """Return the line of a `nav_msgs/msg/Path`.
+def shapes_of_path(message: Any, settings: Values) -> list[Placed]:
+    """Return the line of a `nav_msgs/msg/Path`, and its poses if they are wanted.
 
     The poses' own headers are not read, as RViz doesn't: they are in the frame of the path.
     """
@@ -138,13 +156,30 @@ def shapes_of_path(message: Any) -> list[Placed]:
     points = finite_points([stamped.pose.position for stamped in message.poses[::step]])
     if len(points) < 2:
         return []
-    return [Placed(Lines(line_strip(points), GREEN), message.header.frame_id, stamp_of(message.header))]
+    width = settings["width"] if settings["line"] == "wide" else None
+    line = line_shape(line_strip(points), settings["color"], settings["opacity"], width)
+    marks = {
+        "shape": "axes" if settings["poses"] == "axes" else "arrow",
+        "color": settings["pose_color"],
+        **{
+            name: settings[name]
+            for name in ("opacity", "axes_length", "axes_radius", "shaft_length", "head_length")
+        },
+        "shaft_radius": settings["shaft_diameter"] / 2.0,
+        "head_radius": settings["head_diameter"] / 2.0,
+    }
+    poses = [stamped.pose for stamped in message.poses] if settings["poses"] != "none" else []
+    return [
+        Placed(line, message.header.frame_id, stamp_of(message.header)),
+        *_placed_poses(poses, message.header, marks),
+    ]
 
 
-def shapes_of_polygon(message: Any) -> list[Placed]:
+def shapes_of_polygon(message: Any, settings: Values) -> list[Placed]:
     """Return the closed line of a `geometry_msgs/msg/PolygonStamped`."""
     points = finite_points(message.polygon.points[:MAX_POINTS])
     if len(points) < 2:
         return []
     ends = line_strip(np.concatenate([points, points[:1]]))
-    return [Placed(Lines(ends, ORANGE), message.header.frame_id, stamp_of(message.header))]
+    line = line_shape(ends, settings["color"], settings["opacity"])
+    return [Placed(line, message.header.frame_id, stamp_of(message.header))]

@@ -7,13 +7,16 @@ import time
 from collections import deque
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from tfloom.robot.urdf_faults import UrdfError
 from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, Visual, read_collisions, read_visuals
-from tfloom.viewer.mesh_files import read_model
+from tfloom.viewer.mesh_files import read_model, translucent
 from tfloom.viewer.page_command import fault_text
-from tfloom.viewer.shapes import Ball, Box, Cylinder, DisplayError, Placed, Shape
+from tfloom.viewer.shapes import Ball, Box, Cylinder, DisplayError, Model, Placed, Shape
+
+if TYPE_CHECKING:
+    from tfloom.viewer.displays.settings import Values
 
 __all__ = ["RobotDisplay"]
 
@@ -41,7 +44,8 @@ class RobotDisplay:
     choice = ""
     near: Path | None = None
 
-    def __init__(self) -> None:
+    def __init__(self, settings: Values) -> None:
+        self.settings = settings
         self.clear()
 
     def clear(self) -> None:
@@ -53,6 +57,7 @@ class RobotDisplay:
         self._count = 0
         self._stand_ins: dict[str, list[Visual]] = {}
         """The forms of collisions that were not asked for yet, by link."""
+        self._links: list[str] = []
         self._faults: list[str] = []
         self._has_stand_in = False
         self.status = ""
@@ -73,16 +78,28 @@ class RobotDisplay:
         self.clear()
         self._text = message.data
         try:
-            visuals = read_visuals(message.data)
-            for form in read_collisions(message.data):
-                self._stand_ins.setdefault(form.link, []).append(_as_stand_in(form))
+            visuals, collisions = read_visuals(message.data), read_collisions(message.data)
         except UrdfError as error:
             raise DisplayError(f"it is not a URDF: {error}") from None
-        self._wait_for(visuals)
-        if not visuals:
+        self._links = list(dict.fromkeys(form.link for form in (*visuals, *collisions)))
+        if self.settings["collision"]:
+            self._wait_for(map(_as_stand_in, self._not_hidden(collisions)))
+        if not self.settings["visual"]:
+            return
+        for form in self._not_hidden(collisions):
+            self._stand_ins.setdefault(form.link, []).append(_as_stand_in(form))
+        self._wait_for(self._not_hidden(visuals))
+        if not visuals and not self.settings["collision"]:
             self._faults.append("nothing of it is visual")
             self._wait_for(itertools.chain.from_iterable(self._stand_ins.values()))
             self._stand_ins.clear()
+
+    def _not_hidden(self, forms: Iterable[Visual]) -> list[Visual]:
+        return [form for form in forms if form.link not in self.settings["hidden_links"]]
+
+    def parts(self) -> list[str]:
+        """Return the links that have a form."""
+        return self._links
 
     def _wait_for(self, forms: Iterable[Visual]) -> None:
         added = list(itertools.islice(forms, MAX_VISUALS - self._count))
@@ -102,7 +119,7 @@ class RobotDisplay:
     def _make(self, form: Visual) -> None:
         """Make the shape of a form, or note why that can't be done, and let its link have its stand-ins."""
         try:
-            self._shapes.append(_placed(form, self.near))
+            self._shapes.append(_placed(form, self.near, self.settings["opacity"]))
             self._has_stand_in |= form.opacity == STAND_IN_OPACITY and not form.has_color
         except Exception as error:  # of one form: the others are shown
             self._faults.append(fault_text(error))
@@ -125,22 +142,23 @@ def _as_stand_in(form: Visual) -> Visual:
     return Visual(form.link, form.origin, form.form, opacity=STAND_IN_OPACITY)
 
 
-def _placed(visual: Visual, near: Path | None) -> Placed:
+def _placed(visual: Visual, near: Path | None, opacity: float) -> Placed:
     origin = visual.origin
     return Placed(
-        _shape(visual, near),
+        _shape(visual, near, opacity),
         visual.link,
         position=(origin.translation[0], origin.translation[1], origin.translation[2]),
         rotation_xyzw=origin.rotation_xyzw,
     )
 
 
-def _shape(visual: Visual, near: Path | None) -> Shape:
-    form, (color, opacity) = visual.form, (visual.color, visual.opacity)
+def _shape(visual: Visual, near: Path | None, share: float) -> Shape:
+    form, (color, opacity) = visual.form, (visual.color, visual.opacity * share)
     if isinstance(form, BoxForm):
         return Box(form.size, color, opacity)
     if isinstance(form, CylinderForm):
         return Cylinder(form.radius, form.length, color, opacity)
     if isinstance(form, BallForm):
         return Ball((form.radius, form.radius, form.radius), color, opacity)
-    return read_model(form.uri, form.scale, color if visual.has_color else None, near)
+    model = read_model(form.uri, form.scale, color if visual.has_color else None, near)
+    return model if opacity >= 1.0 else Model(translucent(model.glb, opacity), model.scale)

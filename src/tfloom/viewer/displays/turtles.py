@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +13,9 @@ from tfloom.turtlesim.canvas import DEFAULT_BACKGROUND
 from tfloom.turtlesim.world import WORLD_SIZE_M
 from tfloom.viewer.displays.display import Latest
 from tfloom.viewer.shapes import DisplayError, Picture, Placed
+
+if TYPE_CHECKING:
+    from tfloom.viewer.displays.settings import Values
 
 __all__ = ["WORLD_FRAME", "TurtleDisplay"]
 
@@ -28,13 +31,18 @@ TURTLE_M = 0.02
 class TurtleDisplay(Latest):
     """Shows the last `turtlesim/msg/Pose`, and the water that all turtles share; what is not finite is an error."""
 
-    def __init__(self, topic: str = "") -> None:
-        super().__init__(self._turtle_of)
+    def __init__(self, settings: Values, topic: str = "") -> None:
+        super().__init__(settings)
         # The same name has the same look each time; turtlesim itself chooses by chance.
         self._kind = sum(topic.encode("utf-8", "replace")) % len(LOOKS)
         self._pictures: tuple[Picture, Picture] | None = None
 
-    def _turtle_of(self, message: Any) -> list[Placed]:
+    def shapes_of(self, message: Any) -> list[Placed]:
+        """Return water and turtle.
+
+        Raises:
+            DisplayError: a number is not finite.
+        """
         x, y, theta = float(message.x), float(message.y), float(message.theta)
         if not all(map(math.isfinite, (x, y, theta))):
             raise DisplayError("a number of its pose is not finite")

@@ -1,25 +1,23 @@
-"""A force and a torque: an arrow each, and a ring around the torque's that shows the way it turns."""
+"""Wrenches and twists: an arrow for each vector, and a ring around that of the one that turns, which shows the way."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tfloom.viewer.displays.display import MAX_COORDINATE_M, Latest, stamp_of
-from tfloom.viewer.shapes import Color, DisplayError, Mesh, Placed
+from tfloom.viewer.displays.display import MAX_COORDINATE_M, stamp_of
+from tfloom.viewer.displays.solids import merged, tube
+from tfloom.viewer.shapes import DisplayError, Placed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tfloom.viewer.displays.settings import Value
+    from tfloom.viewer.displays.settings import Values
 
-__all__ = ["WrenchDisplay"]
+__all__ = ["shapes_of_twist", "shapes_of_wrench"]
 
-SIDES = 10
-"""Number of the sides of a shaft."""
 SHAFT = 0.05
 HEAD = 0.1
 RING = 0.025
@@ -32,51 +30,53 @@ RING_ANGLES_RAD = np.linspace(0.25 * math.pi, 2.0 * math.pi, 29)
 """Where the ring's parts begin: an eighth of it is open, so that its head is seen [rad]."""
 
 
-class WrenchDisplay(Latest):
-    """Shows the last ones of `geometry_msgs/msg/WrenchStamped`, as RViz does.
+class TwinArrows(NamedTuple):
+    """Names of the settings for two vectors, of which the second is what turns."""
 
-    Args:
-        settings: A value for each setting.
+    names: tuple[str, str]
+    colors: tuple[str, str]
+    scales: tuple[str, str]
+
+
+WRENCH = TwinArrows(("force", "torque"), ("force_color", "torque_color"), ("force_scale", "torque_scale"))
+TWIST = TwinArrows(
+    ("linear", "angular"), ("linear_color", "angular_color"), ("linear_scale", "angular_scale")
+)
+
+
+def shapes_of_wrench(message: Any, settings: Values) -> list[Placed]:
+    """Return the arrows of a `geometry_msgs/msg/WrenchStamped`, as RViz does.
+
+    Raises:
+        DisplayError: it has a number that can't be drawn, or nothing that is long enough.
     """
+    return _shapes(message.header, (message.wrench.force, message.wrench.torque), WRENCH, settings)
 
-    def __init__(self, settings: Mapping[str, Value]) -> None:
-        super().__init__(self._shapes_of_wrench)
-        self._settings = settings
 
-    def take(self, message: Any, stamp_ns: int) -> None:
-        """Take the next message.
+def shapes_of_twist(message: Any, settings: Values) -> list[Placed]:
+    """Return the arrows of a `geometry_msgs/msg/TwistStamped`, as RViz does.
 
-        Raises:
-            DisplayError: it has a number that can't be drawn, or nothing that is long enough.
-        """
-        self._shapes = [*self._shapes_of_wrench(message), *self._shapes]
+    Raises:
+        DisplayError: it has a number that can't be drawn, or nothing that is long enough.
+    """
+    return _shapes(message.header, (message.twist.linear, message.twist.angular), TWIST, settings)
 
-    def _shapes_of_wrench(self, message: Any) -> list[Placed]:
-        wrench, width = message.wrench, self._number("width")
-        force = _vector(wrench.force, self._number("force_scale"), "force")
-        torque = _vector(wrench.torque, self._number("torque_scale"), "torque")
-        meshes = []
-        if force.length > width:
-            meshes.append(self._mesh([_arrow(force, width)], "force_color"))
-        if torque.length > width:
-            meshes.append(self._mesh([_arrow(torque, width), _ring(torque, width)], "torque_color"))
-        if not meshes:
-            raise DisplayError(f"its arrows would be shorter than their width of {width:g}")
-        return [Placed(mesh, message.header.frame_id, stamp_of(message.header)) for mesh in meshes]
 
-    def _number(self, name: str) -> float:
-        return cast("float", self._settings[name])
-
-    def _mesh(self, tubes: list[NDArray[np.float64]], color: str) -> Mesh:
-        vertices = np.concatenate([tube.reshape(-1, 3) for tube in tubes]).astype(np.float32)
-        starts = np.cumsum([0, *(tube[..., 0].size for tube in tubes)])
-        faces = [_faces(len(tube)) + start for tube, start in zip(tubes, starts[:-1], strict=True)]
-        return Mesh(
-            vertices,
-            np.concatenate(faces).astype(np.uint32),
-            cast("Color", self._settings[color]),
-            self._number("opacity"),
-        )
+def _shapes(header: Any, vectors: tuple[Any, Any], twins: TwinArrows, settings: Values) -> list[Placed]:
+    width, opacity = settings["width"], settings["opacity"]
+    straight, turning = (
+        _vector(vector, settings[scale], name)
+        for vector, scale, name in zip(vectors, twins.scales, twins.names, strict=True)
+    )
+    meshes = []
+    if straight.length > width:
+        meshes.append(merged([_arrow(straight, width)], settings[twins.colors[0]], opacity))
+    if turning.length > width:
+        tubes = [_arrow(turning, width), _ring(turning, width)]
+        meshes.append(merged(tubes, settings[twins.colors[1]], opacity))
+    if not meshes:
+        raise DisplayError(f"its arrows would be shorter than their width of {width:g}")
+    return [Placed(mesh, header.frame_id, stamp_of(header)) for mesh in meshes]
 
 
 class _Vector(NamedTuple):
@@ -124,7 +124,7 @@ def _arrow(vector: _Vector, width: float) -> NDArray[np.float64]:
     heights = vector.length * np.array((0.0, 0.0, 1.0, 1.0, 1.0 + HEAD_LENGTH))
     radii = width * np.array((0.0, SHAFT, SHAFT, HEAD, 0.0))
     across, beside, along = vector.axes
-    return _tube(heights[:, np.newaxis] * along, np.tile(across, (5, 1)), np.tile(beside, (5, 1)), radii)
+    return tube(heights[:, np.newaxis] * along, np.tile(across, (5, 1)), np.tile(beside, (5, 1)), radii)
 
 
 def _ring(vector: _Vector, width: float) -> NDArray[np.float64]:
@@ -137,26 +137,4 @@ def _ring(vector: _Vector, width: float) -> NDArray[np.float64]:
     centres = np.vstack([centres[0], centres, centres[-1], tip])
     outwards = np.vstack([outwards[0], outwards, outwards[-1], outwards[-1]])
     radii = width * np.array((0.0, *([RING] * len(RING_ANGLES_RAD)), HEAD, 0.0))
-    return _tube(centres, outwards, np.tile(along, (len(centres), 1)), radii)
-
-
-def _tube(
-    centres: NDArray[np.float64],
-    firsts: NDArray[np.float64],
-    seconds: NDArray[np.float64],
-    radii: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """Return the rims of a tube (N, SIDES, 3), by the centre, two directions and the radius of each."""
-    angles = np.arange(SIDES)[:, np.newaxis] * (2.0 * math.pi / SIDES)
-    spokes = np.cos(angles) * firsts[:, np.newaxis] + np.sin(angles) * seconds[:, np.newaxis]
-    rims: NDArray[np.float64] = centres[:, np.newaxis] + radii[:, np.newaxis, np.newaxis] * spokes
-    return rims
-
-
-def _faces(rims: int) -> NDArray[np.int64]:
-    """Return the triangles between neighbouring rims of a tube (M, 3)."""
-    rim, side = np.meshgrid(np.arange(rims - 1) * SIDES, np.arange(SIDES), indexing="ij")
-    low, low_next = rim + side, rim + (side + 1) % SIDES
-    corners = np.stack([low, low_next, low + SIDES, low_next, low_next + SIDES, low + SIDES], axis=-1)
-    triangles: NDArray[np.int64] = corners.reshape(-1, 3)
-    return triangles
+    return tube(centres, outwards, np.tile(along, (len(centres), 1)), radii)

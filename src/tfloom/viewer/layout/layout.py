@@ -27,13 +27,15 @@ class ViewPoint(NamedTuple):
 
 
 class DisplayLayout(NamedTuple):
-    """A topic that is shown."""
+    """A topic that is shown, or a display without one."""
 
     topic: str
     choice: str = ""
     """What is chosen for it, as the field that colours a cloud; empty: what fits best."""
     settings: tuple[tuple[str, Value], ...] = ()
     """Names and values of the settings that are not as they usually are."""
+    kind: str = ""
+    """The label of the display's kind; empty: that which shows messages of the topic's type."""
 
 
 class PlotLayout(NamedTuple):
@@ -50,6 +52,8 @@ class Layout(NamedTuple):
     """Empty: a usual one, or the root of the largest tree."""
     with_names: bool = True
     axes_m: float = DEFAULT_AXES_M
+    frames: tuple[tuple[str, Value], ...] = ()
+    """Names and values of the settings of frames that are not as they usually are."""
     trails: tuple[str, ...] = ()
     """Frames whose way is drawn."""
     displays: tuple[DisplayLayout, ...] = ()

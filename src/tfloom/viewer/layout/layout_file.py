@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from tfloom.viewer.displays.settings import SETTINGS, SettingError, Value
+from tfloom.viewer.displays.kinds import LABELS
+from tfloom.viewer.displays.settings import (
+    FRAME_SETTINGS,
+    Setting,
+    SettingError,
+    Value,
+    taken_anywhere,
+    to_file,
+)
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
     DisplayLayout,
@@ -18,8 +27,8 @@ from tfloom.viewer.layout.rviz_file import RVIZ_SECTION, rviz_layout
 
 __all__ = ["layout_text", "read_layout"]
 
-KEYS = ("fixed_frame", "names", "axes", "trails", "displays", "plots", "camera", "start_offset")
-DISPLAY_KEYS = frozenset(("topic", "choice", "settings"))
+KEYS = ("fixed_frame", "names", "axes", "frames", "trails", "displays", "plots", "camera", "start_offset")
+DISPLAY_KEYS = frozenset(("topic", "choice", "settings", "kind"))
 
 
 def read_layout(path: Path) -> tuple[Layout, list[str]]:
@@ -47,10 +56,16 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     for number, row in enumerate(file.items(root, "displays")):
         entry = _entry(file, root, row, "displays")
         unknown += [f"displays[{number}].{key}" for key in entry if key not in DISPLAY_KEYS]
+        kind = file.text(entry, "kind")
+        if kind and kind not in LABELS:
+            unknown.append(f"displays[{number}].kind {kind}")
+            continue
+        tables = [LABELS[kind].settings] if kind else [one.settings for one in LABELS.values()]
         values = file.mapping(entry, "settings")
-        unknown += [f"displays[{number}].settings.{key}" for key in values if key not in SETTINGS]
-        topic, choice = _named(file, entry, "topic"), file.text(entry, "choice")
-        displays.append(DisplayLayout(topic, choice, _settings(file, values)))
+        settings, strange = _settings(file, values, tables)
+        unknown += [f"displays[{number}].settings.{key}" for key in strange]
+        topic = _named(file, entry, "topic") if not kind or LABELS[kind].has_topic else ""
+        displays.append(DisplayLayout(topic, file.text(entry, "choice"), settings, kind))
     plots = []
     for number, row in enumerate(file.items(root, "plots")):
         entry = _entry(file, root, row, "plots")
@@ -59,12 +74,15 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     trails = file.items(root, "trails")
     if not all(isinstance(frame, str) for frame in trails):
         raise file.error(trails, "trails has to be a list of frames")
+    frames, strange = _settings(file, file.mapping(root, "frames"), [FRAME_SETTINGS])
+    unknown += [f"frames.{key}" for key in strange]
     camera = file.mapping(root, "camera")
     unknown += [f"camera.{key}" for key in camera if key not in {"position", "look_at", "frame"}]
     layout = Layout(
         fixed_frame=file.text(root, "fixed_frame"),
         with_names=file.flag(root, "names", default=True),
         axes_m=axes_m,
+        frames=frames,
         trails=tuple(trails),
         displays=tuple(displays),
         plots=tuple(plots),
@@ -83,15 +101,24 @@ def _entry(file: PlacedYaml, root: dict[Any, Any], row: Any, key: str) -> dict[A
     return row
 
 
-def _settings(file: PlacedYaml, values: dict[Any, Any]) -> tuple[tuple[str, Value], ...]:
-    settings = []
-    for key, value in values.items():
-        if key in SETTINGS:
-            try:
-                settings.append((key, SETTINGS[key].taken(value)))
-            except SettingError as error:
-                raise file.error(values, f"{key} {error}") from None
-    return tuple(settings)
+def _settings(
+    file: PlacedYaml, values: dict[Any, Any], tables: list[Mapping[str, Setting]]
+) -> tuple[tuple[tuple[str, Value], ...], list[str]]:
+    """Return settings of a display that is of one of some kinds, and the names of those that none of them has.
+
+    Raises:
+        LayoutError: a value is none of its setting.
+    """
+    settings, unknown = [], []
+    for name, value in values.items():
+        if not any(name in table for table in tables):
+            unknown.append(str(name))
+            continue
+        try:
+            settings.append((str(name), taken_anywhere(name, value, tables)))
+        except SettingError as error:
+            raise file.error(values, f"{name} {error}") from None
+    return tuple(settings), unknown
 
 
 def _named(file: PlacedYaml, entry: dict[Any, Any], key: str) -> str:
@@ -107,6 +134,8 @@ def layout_text(layout: Layout) -> str:
 
     values: dict[str, Any] = {"fixed_frame": layout.fixed_frame} if layout.fixed_frame else {}
     values |= {"names": layout.with_names, "axes": layout.axes_m}
+    if layout.frames:
+        values["frames"] = {name: to_file(value) for name, value in layout.frames}
     if layout.trails:
         values["trails"] = list(layout.trails)
     values["displays"] = [_display_values(display) for display in layout.displays]
@@ -124,11 +153,11 @@ def layout_text(layout: Layout) -> str:
 
 
 def _display_values(display: DisplayLayout) -> dict[str, Any]:
-    values: dict[str, Any] = {"topic": display.topic}
+    values: dict[str, Any] = {"topic": display.topic} if display.topic else {}
+    if display.kind:
+        values["kind"] = display.kind
     if display.choice:
         values["choice"] = display.choice
     if display.settings:
-        values["settings"] = {
-            name: list(value) if isinstance(value, tuple) else value for name, value in display.settings
-        }
+        values["settings"] = {name: to_file(value) for name, value in display.settings}
     return values

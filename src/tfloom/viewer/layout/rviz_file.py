@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
-from tfloom.viewer.displays.kinds import KINDS, Kind
-from tfloom.viewer.displays.settings import SETTINGS, SettingError, Value
+from tfloom.viewer.displays.kinds import LABELS
+from tfloom.viewer.displays.settings import FRAME_SETTINGS, Setting, SettingError, Value
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
     DisplayLayout,
@@ -24,14 +25,35 @@ RVIZ_SECTION = "Visualization Manager"
 """The section of a file that tells RViz's from ours."""
 MAX_DEPTH = 20
 """How deep displays may be in groups."""
-TOPIC_DISPLAYS = {
-    kind.label: kind for type_name, kind in KINDS.items() if not type_name.startswith("turtlesim")
-}
-"""Displays of one topic, which are the same here, by RViz's names."""
+OURS = frozenset(("Turtle",))
+"""Displays that RViz has not."""
 OLD_NAMES = {"WrenchStamped": "Wrench"}
 """Names that displays had in ROS 1."""
-TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic")
-"""Where a display's topic is; the last two in files of ROS 1."""
+OWN_KEYS = frozenset(
+    (
+        *("Class", "Name", "Enabled", "Value", "Selectable", "Description Source", "Description File"),
+        *("Topic", "Image Topic", "Marker Topic", "Description Topic", "Depth Map Topic", "Channel Name"),
+        *("Show Names", "Marker Scale", "Tree"),
+    )
+)
+"""Properties of a display that are read apart from its settings, or need no counterpart."""
+QUALITY_KEYS = frozenset(("Queue Size", "Unreliable", "Update Topic", "Use Timestamp", "Update Interval"))
+"""… that say how messages are received: here each topic is read once, for all displays."""
+IDLE: Mapping[str, Any] = {
+    "Position Transformer": "XYZ",
+    "TF Prefix": "",
+    "Draw Behind": False,
+    "Show Trail": False,
+    "Hide Small Values": True,
+    "Accept NaN Values": False,
+    "Mass Properties": {"Inertia": False, "Mass": False},
+    "Offset": {"X": 0, "Y": 0, "Z": 0},
+    "Arrow Length": 0.3,
+    "Normal Cell Count": 0,
+}
+"""… that have no counterpart, and change nothing with these values."""
+TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic", "Description Topic", "Depth Map Topic")
+"""Where a display's topic is; the second and the third in files of ROS 1."""
 TOOL_TOPICS = {"SetGoal": GOAL_TOPIC, "SetInitialPose": INITIAL_TOPIC, "PublishPoint": POINT_TOPIC}
 ORBITS = frozenset(("Orbit", "XYOrbit", "ThirdPersonFollower"))
 """Cameras that look at a focal point."""
@@ -69,6 +91,7 @@ def rviz_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
         fixed_frame=fixed_frame,
         with_names=reader.with_names,
         axes_m=reader.axes_m,
+        frames=reader.frames,
         displays=tuple(dict.fromkeys(reader.displays)),
         camera=camera,
         camera_frame=camera_frame,
@@ -86,6 +109,7 @@ class _Reader:
         self.unknown: list[str] = []
         self.with_names = False  # without a display of frames, RViz draws none
         self.axes_m = DEFAULT_AXES_M
+        self.frames: tuple[tuple[str, Value], ...] = ()
 
     def take_displays(self, holder: dict[Any, Any], depth: int) -> None:
         """Take the displays of the manager, or of a group in it."""
@@ -98,14 +122,14 @@ class _Reader:
             kind = OLD_NAMES.get(kind, kind)
             name = str(display.get("Name", kind))
             try:
-                is_known = self._take(kind, display, depth)
+                is_known = self._take(kind, name, display, depth)
             except LayoutError as error:
                 self.unknown.append(f"the display {name} ({error})")
                 continue
             if not is_known:
                 self.unknown.append(f"the display {name} of the class {display.get('Class', 'none')}")
 
-    def _take(self, kind: str, display: dict[Any, Any], depth: int) -> bool:
+    def _take(self, kind: str, name: str, display: dict[Any, Any], depth: int) -> bool:
         """Take a display; return whether it is known.
 
         Raises:
@@ -115,48 +139,63 @@ class _Reader:
         if kind == "Group" and depth < MAX_DEPTH:
             self.take_displays(display, depth + 1)
         elif kind == "TF":
-            self.with_names = file.flag(display, "Show Names", default=True)
-            if not file.flag(display, "Show Axes", default=True):
-                self.unknown.append("frames without axes")
-            scale = file.number(display, "Marker Scale", 1.0)
-            self.axes_m = min(max(DEFAULT_AXES_M * scale, 0.001), 1000.0)
-        elif kind == "RobotModel":
-            if file.text(display, "Description Source", "Topic") != "Topic":
-                self.unknown.append("a robot model of a file: publish it by robot_state_publisher")
-            else:
-                self._add(self._topic(display, ("Description Topic",)) or "/robot_description")
+            self._take_frames(name, display)
+        elif kind == "RobotModel" and file.text(display, "Description Source", "Topic") != "Topic":
+            self.unknown.append("a robot model of a file: publish it by robot_state_publisher")
         elif kind == "Camera":
             topic = self._topic(display, TOPIC_KEYS)
             if topic:
-                self._add(topic)
-                self._add(f"{topic.rpartition('/')[0]}/camera_info")
-        elif kind in TOPIC_DISPLAYS:
-            settings = self._settings(display, TOPIC_DISPLAYS[kind])
-            self._add(self._topic(display, TOPIC_KEYS), self._color_field(display), settings)
+                self._add(topic, "Image")
+                self._add(f"{topic.rpartition('/')[0]}/camera_info", "Camera")
+        elif kind in LABELS and kind not in OURS:
+            settings = self._settings(name, display, LABELS[kind].settings)
+            topic = self._topic(display, TOPIC_KEYS) or ("/robot_description" if kind == "RobotModel" else "")
+            if topic or not LABELS[kind].has_topic:
+                self._add(topic, kind, self._color_field(display, settings), settings)
+            self._name_others(name, display, LABELS[kind].settings)
         else:
-            return kind == "Grid"  # the floor has one
+            return False
         return True
 
-    def _add(self, topic: str, choice: str = "", settings: tuple[tuple[str, Value], ...] = ()) -> None:
-        if topic:
-            full = topic if topic.startswith("/") else f"/{topic}"
-            self.displays.append(DisplayLayout(full, choice, settings))
+    def _take_frames(self, name: str, display: dict[Any, Any]) -> None:
+        self.with_names = self._file.flag(display, "Show Names", default=True)
+        scale = self._file.number(display, "Marker Scale", 1.0)
+        self.axes_m = min(max(DEFAULT_AXES_M * scale, 0.001), 1000.0)
+        self.frames = self._settings(name, display, FRAME_SETTINGS)
+        self._name_others(name, display, FRAME_SETTINGS)
 
-    def _settings(self, display: dict[Any, Any], kind: Kind) -> tuple[tuple[str, Value], ...]:
+    def _add(
+        self, topic: str, kind: str, choice: str = "", settings: tuple[tuple[str, Value], ...] = ()
+    ) -> None:
+        full = topic if topic.startswith("/") or not topic else f"/{topic}"
+        self.displays.append(DisplayLayout(full, choice, settings, kind))
+
+    def _settings(
+        self, name: str, display: dict[Any, Any], table: Mapping[str, Setting]
+    ) -> tuple[tuple[str, Value], ...]:
         """Return the settings of a display that are not as they usually are; those that can't be taken are named."""
         settings = []
-        for name, usual in kind.settings.items():
-            setting = SETTINGS[name]
+        for key, setting in table.items():
             try:
-                value = setting.taken(display[setting.rviz]) if setting.rviz in display else usual
+                is_there, given = property_of(display, setting.rviz)
+                value = setting.from_rviz(given) if is_there else setting.usual
             except SettingError as error:
-                self.unknown.append(
-                    f"{setting.rviz} of the display {display.get('Name', kind.label)}, which {error}"
-                )
+                self.unknown.append(f"{setting.rviz} of the display {name}, which {error}")
                 continue
-            if value != usual:
-                settings.append((name, value))
+            if value != setting.usual:
+                settings.append((key, value))
         return tuple(settings)
+
+    def _name_others(self, name: str, display: dict[Any, Any], table: Mapping[str, Setting]) -> None:
+        """Name the properties of a display that have no counterpart, unless they are as they usually are."""
+        known = {setting.rviz.partition("/")[0] for setting in table.values()} | OWN_KEYS | QUALITY_KEYS
+        others = [
+            str(key)
+            for key, value in display.items()
+            if key not in known and not (key in IDLE and value == IDLE[key])
+        ]
+        if others:
+            self.unknown.append(f"{', '.join(others)} of the display {name}")
 
     def _topic(self, display: dict[Any, Any], keys: tuple[str, ...]) -> str:
         for key in keys:
@@ -167,14 +206,14 @@ class _Reader:
                 return self._file.text(display, key)
         return ""
 
-    def _color_field(self, display: dict[Any, Any]) -> str:
-        """Return the field that colours a cloud."""
+    def _color_field(self, display: dict[Any, Any], settings: tuple[tuple[str, Value], ...]) -> str:
+        """Return the field that colours a cloud; empty where that is not by a field."""
+        if "color_by" in dict(settings):
+            return ""
         transformer = self._file.text(display, "Color Transformer")
         if transformer == "Intensity":
             return self._file.text(display, "Channel Name", "intensity")
-        if transformer == "AxisColor":
-            return self._file.text(display, "Axis", "Z").lower()
-        return "rgb" if transformer in {"RGB8", "RGBF32"} else ""
+        return "rgb" if transformer.startswith("RGB") else ""
 
     def take_tools(self, manager: dict[Any, Any]) -> None:
         """Name the tools that publish elsewhere than here."""
@@ -253,3 +292,15 @@ class _Reader:
 def _along(start: Point, direction: Point, distance: float) -> Point:
     x, y, z = (at + distance * part for at, part in zip(start, direction, strict=True))
     return x, y, z
+
+
+def property_of(display: Mapping[Any, Any], path: str) -> tuple[bool, Any]:
+    """Return whether a display of a file has a property, which may be within another, and its value."""
+    if not path:
+        return False, None
+    holder: Any = display
+    for key in path.split("/"):
+        if not isinstance(holder, dict) or key not in holder:
+            return False, None
+        holder = holder[key]
+    return True, holder

@@ -56,15 +56,15 @@ function take(message) {
   if (message.error !== undefined) say(message.error);
   if (message.done !== undefined) say(message.done);
   if (message.parameters !== undefined) showParameters(message.parameters);
-  for (const [key, taker] of Object.entries(takers)) if (message[key] !== undefined) taker(message[key]);
+  for (const [key, taker] of Object.entries(takers)) if (message[key] !== undefined) taker(message[key], message);
 }
 
 // The layout as a file of the browser, where the server was not told where to write it.
-takers.layout = (text) => {
-  const link = element("a", { href: URL.createObjectURL(new Blob([text], { type: "application/yaml" })), download: "view.yaml" });
+takers.layout = (text, { name, said }) => {
+  const link = element("a", { href: URL.createObjectURL(new Blob([text], { type: "application/yaml" })), download: name });
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
-  say("the layout is saved as view.yaml");
+  say(said);
 };
 
 function openScene(id, saved) {
@@ -528,6 +528,7 @@ $("fixed").addEventListener("change", () => { send({ op: "fixed_frame", frame: $
 $("names").addEventListener("change", () => send({ op: "names", on: $("names").checked }));
 $("axes").addEventListener("change", () => send({ op: "axes", length: Number($("axes").value) }));
 $("save-layout").addEventListener("click", () => send({ op: "layout" }));
+$("save-rviz").addEventListener("click", () => send({ op: "layout", form: "rviz" }));
 $("unselect").addEventListener("click", () => send({ op: "unselect" }));
 $("slider").addEventListener("pointerdown", () => { isDragging = true; });
 for (const name of ["pointerup", "pointercancel", "blur"]) addEventListener(name, () => { isDragging = false; });

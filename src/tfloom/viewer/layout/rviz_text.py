@@ -1,0 +1,159 @@
+"""Layouts as files of RViz."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from tfloom.viewer.displays.camera_info import images_of
+from tfloom.viewer.displays.kinds import LABELS
+from tfloom.viewer.displays.settings import FRAME_SETTINGS, Setting, usual_values
+from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, ViewPoint
+from tfloom.viewer.layout.rviz_file import NO_TARGET, OURS, RVIZ_SECTION, TOOL_TOPICS
+
+__all__ = ["rviz_text"]
+
+PLUGINS = "rviz_default_plugins"
+TOPIC_PROPERTIES = {"RobotModel": "Description Topic", "DepthCloud": "Depth Map Topic"}
+"""Where a display's topic is, if not in the property Topic."""
+PLAIN_TOPICS = frozenset(("DepthCloud",))
+"""Displays whose topic is a text, without its quality of service."""
+
+
+def rviz_text(layout: Layout) -> tuple[str, list[str]]:
+    """Return a layout as the text of a file of RViz, and what of it has no counterpart there."""
+    import yaml
+
+    writer = _Writer(layout)
+    root = {
+        "Panels": [
+            {"Class": "rviz_common/Displays", "Name": "Displays"},
+            {"Class": "rviz_common/Views", "Name": "Views"},
+        ],
+        RVIZ_SECTION: {
+            "Class": "",
+            "Displays": writer.displays(),
+            "Enabled": True,
+            "Global Options": {"Background Color": "48; 48; 48", "Fixed Frame": layout.fixed_frame or "map"},
+            "Name": "root",
+            "Tools": [
+                {"Class": f"{PLUGINS}/MoveCamera"},
+                *(
+                    {"Class": f"{PLUGINS}/{name}", "Topic": {"Value": topic}}
+                    for name, topic in TOOL_TOPICS.items()
+                ),
+            ],
+            "Value": True,
+            "Views": writer.views(),
+        },
+    }
+    return str(yaml.safe_dump(root, sort_keys=True, allow_unicode=True)), writer.unknown
+
+
+class _Writer:
+    """Makes the parts of a file, and notes what has no counterpart."""
+
+    def __init__(self, layout: Layout) -> None:
+        self._layout = layout
+        self.unknown: list[str] = []
+        if layout.trails:
+            self.unknown.append(f"the ways of {', '.join(layout.trails)}")
+        self.unknown += [f"the plot of {plot.field} of {plot.topic}" for plot in layout.plots]
+
+    def displays(self) -> list[dict[str, Any]]:
+        """Return the displays, that of the frames first."""
+        layout = self._layout
+        scale = round(layout.axes_m / DEFAULT_AXES_M, 6)
+        frames = {**usual_values(FRAME_SETTINGS), **dict(layout.frames)}
+        if not frames["timeout_s"]:
+            del frames["timeout_s"]  # RViz has no frames that stay for ever
+        tf = self._of_class("TF", "TF", FRAME_SETTINGS, frames)
+        tf |= {"Show Names": layout.with_names, "Marker Scale": scale}
+        tf["Frames"] = {"All Enabled": True, **tf["Frames"]}
+        shown = [self._display(display) for display in layout.displays]
+        return [tf, *(display for display in shown if display is not None)]
+
+    def _display(self, display: DisplayLayout) -> dict[str, Any] | None:
+        kind = LABELS.get(display.kind)
+        if kind is None or display.kind in OURS:
+            what = f", a {display.kind}" if display.kind else ", whose type is not known"
+            self.unknown.append(f"the display of {display.topic}{what}")
+            return None
+        images = [other.topic for other in self._layout.displays if other.kind == "Image"]
+        cameras = [other.topic for other in self._layout.displays if other.kind == "Camera"]
+        topic = display.topic
+        if display.kind == "Image" and any(topic in images_of(camera, images) for camera in cameras):
+            return None  # it is that of a camera, which has both
+        if display.kind == "Camera":
+            topic = next(iter(images_of(topic, images)), "")
+            if not topic:
+                self.unknown.append(f"the display of {display.topic}, a camera without an image")
+                return None
+        values = {**usual_values(kind.settings), **dict(display.settings)}
+        name = f"{kind.label} {display.topic}".strip()
+        made = self._of_class(kind.label, name, kind.settings, values)
+        if kind.has_topic:
+            property_name = TOPIC_PROPERTIES.get(kind.label, "Topic")
+            made[property_name] = topic if kind.label in PLAIN_TOPICS else {"Value": topic}
+        if "color_by" in values:
+            _color_by_choice(made, values["color_by"], display.choice)
+        elif display.choice:
+            self.unknown.append(f"the choice {display.choice} of {display.topic}")
+        return made
+
+    def _of_class(
+        self, label: str, name: str, table: Mapping[str, Setting], values: Mapping[str, Any]
+    ) -> dict[str, Any]:
+        """Return a display with all of its settings."""
+        made: dict[str, Any] = {
+            "Class": f"{PLUGINS}/{label}",
+            "Enabled": True,
+            "Name": name,
+            "Value": True,
+        }
+        for key, value in values.items():
+            setting = table.get(key)
+            if setting is None or not setting.rviz:
+                if setting is None or value != setting.usual:
+                    self.unknown.append(f"{key} of the display {name}")
+                continue
+            *outer, last = setting.rviz.split("/")
+            holder = made
+            for part in outer:
+                holder = holder.setdefault(part, {})
+            holder[last] = setting.to_rviz(value)
+        return made
+
+    def views(self) -> dict[str, Any]:
+        """Return the camera, as one that looks at a focal point."""
+        camera = self._layout.camera
+        if camera is None:
+            return {}
+        return {"Current": _orbit(camera, self._layout.camera_frame or NO_TARGET), "Saved": None}
+
+
+def _color_by_choice(made: dict[str, Any], color_by: str, choice: str) -> None:
+    """Write which field colours points; without one, RViz takes what fits best, too."""
+    if color_by != "field":
+        return
+    if choice in {"rgb", "rgba"}:
+        made["Color Transformer"] = "RGB8"
+    elif choice:
+        made["Channel Name"] = choice
+    else:
+        del made["Color Transformer"]
+
+
+def _orbit(camera: ViewPoint, frame: str) -> dict[str, Any]:
+    x, y, z = (there - at for there, at in zip(camera.position, camera.look_at, strict=True))
+    distance = math.dist(camera.position, camera.look_at)
+    return {
+        "Class": f"{PLUGINS}/Orbit",
+        "Distance": round(distance, 6),
+        "Focal Point": dict(zip("XYZ", camera.look_at, strict=True)),
+        "Name": "Current View",
+        "Pitch": round(math.asin(z / distance) if distance else 0.0, 6),
+        "Target Frame": frame,
+        "Yaw": round(math.atan2(y, x), 6),
+    }
