@@ -292,8 +292,8 @@ def test_limits_of_any_size(tmp_path: Path) -> None:
         writer.write_present()
         assert writer.message_count == 10
         writer.close()
-    for name in ("max_file_size", "max_file_duration_ns", "cache_size"):
-        with pytest.raises(BagError, match=r"bag: the sizes and the duration .* can't be negative"):
+    for name in ("max_file_size", "max_file_duration_ns", "max_files", "cache_size"):
+        with pytest.raises(BagError, match=r"bag: the sizes, the duration .* can't be negative"):
             BagWriter(tmp_path / "bag", WriterSettings()._replace(**{name: -1}))
     assert not (tmp_path / "bag").exists()
 

@@ -311,7 +311,7 @@ def record_odd(local_context: Context, tmp_path: Path, monkeypatch: pytest.Monke
     asked: list[str] = []
 
     def start(found_at: int) -> tuple[Recorder, list[str]]:
-        def find(_: str) -> Definition | None:
+        def find(_: str, __: str = "") -> Definition | None:
             return Definition("ros2msg", "int32 x") if len(asked) >= found_at else None
 
         monkeypatch.setattr(recorded_topics, "find_definition", find)

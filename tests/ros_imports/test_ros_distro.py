@@ -18,7 +18,7 @@ from tfloom.ros_imports.ros_distro import DISTRIBUTIONS, nearest
 
 PAGE = Path(__file__).parents[2] / "docs" / "distributions.md"
 SHOW = r"""
-import inspect, json, os, re, sys, warnings
+import argparse, inspect, json, os, re, sys, warnings
 from pathlib import Path
 import rclpy
 from message_filters import ApproximateTimeSynchronizer, Cache, SimpleFilter
@@ -32,6 +32,7 @@ from rclpy.action.server import ServerGoalHandle
 from rclpy.context import Context
 from tfloom.node.action.goal_states import GoalEvent
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings, file_name
+from tfloom.cli.bag import record
 from tfloom.node.values.scalars import parse_value
 from tfloom.ros_imports import ros_distro
 
@@ -69,6 +70,8 @@ cache = Cache(SimpleFilter(), 1)
 filters = [SimpleFilter(), SimpleFilter()]
 writer = BagWriter(Path(sys.argv[1]), WriterSettings())
 writer.close()
+parser = argparse.ArgumentParser()
+record.add_arguments(parser)
 begin = Path("/a/rosbag2_2026_05_23-10_00_00")
 print(json.dumps({
     "CALL_RAISES_AT_TIMEOUT": outcome(lambda: client.call(Empty.Request(), timeout_sec=0.05)),
@@ -88,6 +91,7 @@ print(json.dumps({
     "BAG_FILES_HAVE_TIMES": [
         re.sub(r"\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d$", "TIME", file_name(folder, 2)) for folder in (begin, Path("/a/b"))
     ],
+    "ALL_RECORDS_ACTIONS": record._options(parser.parse_args(["-a"])).choice.all_actions,
     "READS_FLOAT_TAG": repr(parse_value("[!!float 10, !!float 0x10]")),
     "REMOVED": outcome(cache.getLastestTime),
     "metadata": writer.info().ros_distro,
@@ -116,6 +120,7 @@ OUTCOMES: dict[str, tuple[Any, Any, Any]] = {
         ["rosbag2_2026_05_23-10_00_00_2", "b_2"],
         ["2_rosbag2_TIME", "2_b_TIME"],
     ),
+    "ALL_RECORDS_ACTIONS": (False, True, True),
     "READS_FLOAT_TAG": ("[10, 16]", "[10, 16]", "[10.0, 16.0]"),
     "REMOVED": ("None", ["DeprecationWarning"], ["DeprecationWarning"]),
     "metadata": DISTRIBUTIONS,

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from tfloom.cli import launch_api
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import did_you_mean, way_to_package
 from tfloom.ros_imports.environment import set_ros_environment
@@ -38,7 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--log-file-name",
         metavar="NAME",
         default="launch",
-        help="name of the log file, without .log (default: launch)",
+        help=help_since("lyrical", "name of the log file, without .log (default: launch)"),
     )
     shown = parser.add_mutually_exclusive_group()
     shown.add_argument(

@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 from tfloom import __version__
+from tfloom.ros_imports import ros_distro
 
 
 class Group(NamedTuple):
@@ -247,6 +248,11 @@ def build_parser(
             options = {"aliases": command.aliases, "group": command, "add_extensions": add_extensions}
         words.add_parser(word, help=summary, description=summary, prog=f"{prog} {word}", **options)
     return top
+
+
+def help_since(distribution: str, text: str) -> str:
+    """Return the help of a flag that ROS 2 has from a distribution on: it is accepted before, and not shown."""
+    return text if ros_distro.since(distribution) else argparse.SUPPRESS
 
 
 def command_module(word: str) -> str:

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from tfloom.cli.bag import conventions, play_arguments
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared import numbers
 
 
@@ -18,7 +19,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--actions",
         nargs="+",
         default=[],
-        help=conventions.help_since("kilted", "actions to play (default: all)"),
+        help=help_since("kilted", "actions to play (default: all)"),
     )
     play_arguments.add_qos_overrides(parser)
     play_arguments.add_remap(parser)

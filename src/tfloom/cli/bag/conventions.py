@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.shared.errors import CommandError
 from tfloom.common.terminal import report
-from tfloom.ros_imports import ros_distro
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import Participant
@@ -46,11 +45,6 @@ def regular_expression(text: str) -> str:
     except re.error as problem:
         raise argparse.ArgumentTypeError(f"'{text}' is not a regular expression: {problem}") from None
     return text
-
-
-def help_since(distribution: str, text: str) -> str:
-    """Return the help of a flag that ROS 2 has from a distribution on: it is accepted before, and not shown."""
-    return text if ros_distro.since(distribution) else argparse.SUPPRESS
 
 
 def add_storage(parser: argparse.ArgumentParser, names: list[str] = STORAGES) -> None:

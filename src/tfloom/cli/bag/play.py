@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.bag import conventions, play_arguments
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         default=[],
         metavar="action",
-        help=conventions.help_since("kilted", "actions to play (default: all)"),
+        help=help_since("kilted", "actions to play (default: all)"),
     )
     add(
         "-e",
@@ -90,7 +91,7 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         default=[],
         metavar="action",
-        help=conventions.help_since("kilted", "actions to leave out"),
+        help=help_since("kilted", "actions to leave out"),
     )
 
 

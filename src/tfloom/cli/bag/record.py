@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.bag import conventions
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared import numbers
 from tfloom.common.terminal import report
 from tfloom.ros_imports.ros_distro import ALL_RECORDS_ACTIONS, removal
@@ -52,7 +53,7 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         default=[],
         metavar="ActionName",
-        help=conventions.help_since("kilted", "actions to record: feedback, status, events"),
+        help=help_since("kilted", "actions to record: feedback, status, events"),
     )
     add("--topic-types", nargs="+", default=[], metavar="TopicType", help="types whose topics are recorded")
     add(
@@ -63,7 +64,7 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
     )
     add("--all-topics", action="store_true", help="record all topics, but for hidden ones")
     add("--all-services", action="store_true", help="record the events of all services")
-    add("--all-actions", action="store_true", help=conventions.help_since("kilted", "record all actions"))
+    add("--all-actions", action="store_true", help=help_since("kilted", "record all actions"))
     add(
         "-e",
         "--regex",
@@ -87,7 +88,7 @@ def _add_choice(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         default=[],
         metavar="ActionName",
-        help=conventions.help_since("kilted", "actions to leave out"),
+        help=help_since("kilted", "actions to leave out"),
     )
 
 
@@ -132,7 +133,7 @@ def _add_writing(parser: argparse.ArgumentParser) -> None:
         "--max-bag-files",
         type=numbers.count,
         default=0,
-        help=conventions.help_since(
+        help=help_since(
             "lyrical",
             "number of files that are kept: the oldest is deleted when one more begins (default 0: all)",
         ),
