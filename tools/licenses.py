@@ -127,7 +127,8 @@ def uses(roots: Mapping[str, Iterable[str]]) -> dict[str, str]:
 def roots_of_project() -> dict[str, list[str]]:
     """Return the requirements of pyproject.toml by use, the strictest use first.
 
-    nanobind, with robin-map inside it, is compiled into the extension; a wheel holds their licences.
+    nanobind, with robin-map inside it, is compiled into the extension; a wheel holds their licences, and that of uPlot,
+    whose files are in `viewer/page/`.
     """
     project = read_project(Path(sys.executable))
     extras: dict[str, list[str]] = project["project"]["optional-dependencies"]

@@ -99,6 +99,11 @@ def test_a_decision_holds_for_what_was_read_only(monkeypatch: pytest.MonkeyPatch
     assert row.fault
 
 
-def test_the_licences_of_compiled_code_are_in_the_source_tree() -> None:
-    for name, holder in (("nanobind", "Wenzel Jakob"), ("robin-map", "Thibaut Goetghebuer-Planchon")):
+def test_the_licences_of_code_that_is_not_ours_are_in_the_source_tree() -> None:
+    holders = {
+        "nanobind": "Wenzel Jakob",
+        "robin-map": "Thibaut Goetghebuer-Planchon",
+        "uplot": "Leon Sorokin",
+    }
+    for name, holder in holders.items():
         assert holder in (ROOT / "licenses" / f"{name}.txt").read_text("utf-8")

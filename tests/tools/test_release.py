@@ -71,6 +71,7 @@ def test_wheel_names_its_c_library_and_is_small(
         "LICENSE",
         "nanobind.txt",
         "robin-map.txt",
+        "uplot.txt",
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import io
 import os
 import re
@@ -504,56 +505,125 @@ def test_form_whose_connection_was_lost_says_that_it_has_ended(tab: Tab, node: N
     node.destroy_subscription(subscription)
 
 
-def test_field_is_plotted_and_a_drag_in_its_plot_turns_the_time_back(tab: Tab) -> None:
-    tab.click("[data-panel=plot-panel]")
-    for topic, field in (("/odom", "pose.pose.position.x"), ("/scan", "ranges[3]")):
-        wait_until(
-            lambda topic=topic: tab.page.evaluate(
-                "topic => [...document.querySelectorAll('#plot-topics option')].some(one => one.value === topic)",
-                topic,
-            ),
-            what=topic,
-        )
-        tab.page.fill("#plot-topic", topic)
-        tab.page.dispatch_event("#plot-topic", "change")
-        tab.page.wait_for_selector("#plot-fields option", state="attached")
-        tab.page.fill("#plot-field", field)
-        tab.click("#plot-add")
-    canvas = tab.page.locator("[data-plot='/odom pose.pose.position.x'] canvas")
-
-    def blue() -> int:
-        return int(
-            canvas.evaluate(
-                "canvas => { const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;"
-                " let count = 0; for (let i = 0; i < data.length; i += 4)"
-                " count += data[i + 2] > 180 && data[i] < 130 && data[i + 3] > 60; return count; }"
-            )
-        )
-
-    wait_until(lambda: blue() > 60, what="the curve")
+def add_plot(tab: Tab, topic: str, field: str, place: str = "") -> None:
     wait_until(
         lambda: tab.page.evaluate(
-            "state.plots.length === 2 && state.plots.every(one => one.seconds[0] < -0.5 * one.length_s)"
+            "topic => [...document.querySelectorAll('#plot-topics option')].some(one => one.value === topic)",
+            topic,
         ),
+        what=topic,
+    )
+    tab.page.fill("#plot-topic", topic)
+    tab.page.dispatch_event("#plot-topic", "change")
+    tab.page.wait_for_selector("#plot-fields option", state="attached")
+    tab.page.fill("#plot-field", field)
+    if place:
+        tab.page.select_option("#plot-place", place)
+    tab.click("#plot-add")
+    tab.page.wait_for_selector(f"[data-series='{topic} {field}']", state="attached")
+
+
+def colored(tab: Tab, plot: int, color: str) -> int:
+    """Return how many pixels of a plot have about a colour, as #4aa3ff."""
+    return int(
+        tab.page.evaluate(
+            "([plot, color]) => { const canvas = document.querySelector(`[data-plot='${plot}'] canvas`);"
+            " const wanted = [1, 3, 5].map(at => parseInt(color.slice(at, at + 2), 16));"
+            " const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;"
+            " let count = 0; for (let i = 0; i < data.length; i += 4)"
+            " count += data[i + 3] > 60 && wanted.every((part, at) => Math.abs(part - data[i + at]) < 50);"
+            " return count; }",
+            [plot, color],
+        )
+    )
+
+
+def time_of_plots(tab: Tab) -> dict[str, Any]:
+    tab.page.wait_for_timeout(20)
+    return dict(tab.page.evaluate("state.plot_time"))
+
+
+def test_fields_are_plotted_in_a_plot_with_two_axes_zoomed_paused_and_saved(tab: Tab) -> None:
+    tab.click("[data-panel=plot-panel]")
+    add_plot(tab, "/odom", "pose.pose.position.x")
+    add_plot(tab, "/scan", "ranges[3]", "1")
+    row = tab.page.locator("#plot-rows .display").nth(1)
+    row.locator("select").nth(1).select_option("right")
+    wait_until(lambda: tab.page.evaluate("state.plots[1].axis") == "right", what="the right axis")
+    blue, yellow = "#4aa3ff", "#ffd166"
+    wait_until(lambda: colored(tab, 1, blue) > 60 and colored(tab, 1, yellow) > 60, what="both curves")
+    wait_until(
+        lambda: tab.page.evaluate("state.plots.every(one => one.seconds[0] < -0.5 * one.length_s)"),
         what="half of the time",
     )
-    box = canvas.bounding_box()
+    tab.keep("plots")
+    over = tab.page.locator("[data-plot='1'] .u-over")
+    box = over.bounding_box()
+    assert box["width"] > 200  # also after the plot was made anew for its second axis
+    # The value under the cursor, in the legend.
+    tab.page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + 40)
+    wait_until(lambda: tab.text("#plot-at").startswith("at -"), what="the time under the cursor")
+    values = tab.page.locator("[data-plot='1'] .plot-value").all_text_contents()
+    assert all(abs(float(value)) < 100.0 for value in values)
+    # A click shows that time, and nothing is zoomed.
     tab.page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + 40)
     tab.page.mouse.down()
     tab.page.mouse.up()
     wait_until(lambda: tab.text("#clock").startswith("-"), what="an earlier time")
-    shown = "document.querySelector('#plots-right .plot-value').textContent"
-    value = tab.page.evaluate(shown)
-    assert abs(float(value)) < 10.0
-    tab.page.wait_for_timeout(1000)
-    assert tab.page.evaluate(shown) == value  # it stands, while the robot moves on
-    tab.keep("plots")
+    assert not time_of_plots(tab)["is_zoomed"]
     tab.click("#live")
+    # The wheel shows less of the time, up to the newest; with Shift less of the values.
+    whole_s = time_of_plots(tab)["end_s"] - time_of_plots(tab)["start_s"]
+    tab.page.mouse.wheel(0, -100)
+    wait_until(lambda: time_of_plots(tab)["is_zoomed"], what="less of the time")
+    assert not time_of_plots(tab)["is_paused"]
+    assert -time_of_plots(tab)["start_s"] == pytest.approx(0.8 * whole_s, rel=0.2)
+    span = "(() => { const { min, max } = charts.get(1).uplot.scales.%s; return max - min; })()"
+    before = tab.page.evaluate(span % "left")
+    tab.page.keyboard.down("Shift")
+    tab.page.mouse.wheel(0, -100)
+    tab.page.keyboard.up("Shift")
+    wait_until(lambda: tab.page.evaluate(span % "left") < 0.85 * before, what="less of the values")
+    # A drag zooms into a box, in which the plot stands still.
+    tab.page.mouse.move(box["x"] + 0.3 * box["width"], box["y"] + 0.3 * box["height"])
+    tab.page.mouse.down()
+    tab.page.mouse.move(box["x"] + 0.6 * box["width"], box["y"] + 0.7 * box["height"], steps=5)
+    before = tab.page.evaluate(span % "right")
+    tab.page.mouse.up()
+    wait_until(lambda: time_of_plots(tab)["is_paused"], what="the box")
+    assert tab.page.evaluate(span % "right") == pytest.approx(0.4 * before, rel=0.1)
+    time_s = time_of_plots(tab)
+    assert time_s["end_s"] - time_s["start_s"] == pytest.approx(0.3 * 0.8 * whole_s, rel=0.25)
+    tab.keep("plots_zoomed")
+    tab.page.wait_for_timeout(600)
+    assert time_of_plots(tab)["start_s"] == time_s["start_s"]
+    assert tab.text("#plot-pause") == "Follow"
+    # What is shown, as a file.
+    with tab.page.expect_download(timeout=LOADED_MS) as download:
+        tab.click("[data-plot='1'] button")
+    assert download.value.suggested_filename == "plot_1.csv"
+    rows = list(csv.reader(Path(download.value.path()).read_text().splitlines()))
+    assert rows[0][2:] == ["/odom pose.pose.position.x", "/scan ranges[3]"]
+    assert float(rows[-1][1]) <= time_s["end_s"] - time_s["start_s"]
+    assert len(rows) > 3
+    # A double click shows all.
+    over.dblclick(timeout=LOADED_MS)
+    wait_until(lambda: not time_of_plots(tab)["is_zoomed"], what="all of it")
+    assert not time_of_plots(tab)["is_paused"]
+    assert tab.page.evaluate("charts.get(1).zoom") == {}
+    # A paused plot stands still, and follows again.
+    tab.click("#plot-pause")
+    wait_until(lambda: time_of_plots(tab)["is_paused"], what="the pause")
+    assert not time_of_plots(tab)["is_zoomed"]
+    tab.click("#plot-pause")
+    wait_until(lambda: not time_of_plots(tab)["is_paused"], what="its end")
     for _ in range(2):
         tab.click("#plot-rows button")
         tab.page.wait_for_timeout(500)
     wait_until(lambda: tab.page.evaluate("state.plots.length") == 0, what="no plots")
+    assert tab.page.locator(".uplot").count() == 0
     tab.click("[data-panel=frames]")
+    assert tab.faults == []
 
 
 def test_click_on_a_frame_in_the_scene_selects_it(browser: Any, address: str, tab: Tab) -> None:

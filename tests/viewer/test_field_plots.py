@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import math
 import signal
@@ -19,7 +21,7 @@ from tests.viewer.conftest import OWN_TYPES, Page, running
 from tfloom.bag import open_bag
 from tfloom.bag.values import Topic
 from tfloom.bag.writing.bag_writer import BagWriter
-from tfloom.interfaces.geometry_msgs.msg import PoseArray, PoseStamped, PoseWithCovariance
+from tfloom.interfaces.geometry_msgs.msg import PointStamped, PoseArray, PoseStamped, PoseWithCovariance
 from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.interfaces.std_msgs.msg import Float64, String
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
@@ -27,6 +29,8 @@ from tfloom.node.node import Node
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import find_class
 from tfloom.rosidl.definition_files import interface_names
+from tfloom.viewer.described import DescribedTopics
+from tfloom.viewer.layout.layout import PlotLayout
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.plots import plots as plots_module
 from tfloom.viewer.plots import series as series_module
@@ -132,6 +136,61 @@ def test_what_is_not_finite_is_a_gap() -> None:
     assert set(gaps.reduced_points(0, 100 * S, 5)[1]) == {None}
 
 
+def test_angles_are_unrolled_if_asked_also_after_the_first_ones_are_dropped() -> None:
+    series = Series(100 * S)
+    turned = np.arange(0.0, 300.0, 0.5)
+    for second, angle in enumerate(turned.tolist()):
+        series.add(second * S, math.nan if second == 200 else math.remainder(angle, math.tau))
+    assert series.span[0] > 400 * S
+    assert max(series.reduced_points(0, 600 * S, 1000)[1]) <= math.pi
+    seconds, shown = series.reduced_points(0, 600 * S, 1000, unrolls=True)
+    assert shown == pytest.approx([(600 + second) / 2 for second in seconds], abs=1e-3)
+    assert series.at(599 * S, unrolls=True) == pytest.approx(299.5)
+    assert abs(series.at(599 * S)) <= math.pi
+    series.clear()
+    series.add(0, 1.0)
+    assert series.at(None, unrolls=True) == 1.0
+
+
+def test_gap_does_not_end_what_is_unrolled() -> None:
+    series = Series(None)
+    for second, angle in enumerate((3.0, math.nan, -3.0)):
+        series.add(second * S, angle)
+    assert series.reduced_points(0, 3 * S, 10, unrolls=True)[1] == [3.0, None, pytest.approx(math.tau - 3.0)]
+
+
+def test_numbers_beside_the_time_that_is_shown_are_there_for_the_lines_to_its_edges() -> None:
+    series = Series(None)
+    for second in range(1000):
+        series.add(second * S, float(second))
+    assert series.reduced_points(10 * S, 12 * S, 100) == (
+        [-3.0, -2.0, -1.0, 0.0, 1.0],
+        [9.0, 10.0, 11.0, 12.0, 13.0],
+    )
+    seconds, shown = series.reduced_points(S, 998 * S, 10)
+    assert (shown[0], shown[-1]) == (0.0, 999.0)
+    assert seconds == sorted(seconds)
+
+
+def test_stamps_within_microseconds_differ_on_the_page() -> None:
+    series = Series(None)
+    for number in range(5):
+        series.add(S + 200 * number, float(number))
+    assert len(set(series.reduced_points(S, S + 1000, 100)[0])) == 5
+
+
+def test_old_numbers_are_kept_while_they_are_looked_at() -> None:
+    series = Series(10 * S)
+    series.kept_from_ns = 5 * S
+    for second in range(1000):
+        series.add(second * S, float(second))
+    assert series.span == (pytest.approx(5 * S, abs=5 * S), 999 * S)
+    series.kept_from_ns = None
+    for second in range(1000, 1064):
+        series.add(second * S, float(second))
+    assert series.span[0] > 900 * S
+
+
 # On a graph.
 
 
@@ -172,6 +231,132 @@ def test_page_plots_fields_and_ends_them(node: Node, viewer: Viewer, open_page: 
     wait_until(lambda: publisher.get_subscription_count() == 0, what="the reader's end")
 
 
+def test_fields_share_a_plot_with_two_axes_and_zoom_pause_and_layout_are_theirs(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    publisher = node.create_publisher(LaserScan, "/scan", 10)
+    page = open_page(viewer)
+    wait_until(lambda: "/scan" in viewer.view.topics.types(), what="the topic")
+    for field in ("range_max", "range_min"):
+        page.send(op="plot", topic="/scan", field=field, on=True)
+    page.wait_for(lambda: [plot["plot"] for plot in page.state["plots"]] == [1, 2])
+    choice = {"topic": "/scan", "field": "range_min", "plot": 1, "axis": "right", "unroll": True}
+    page.send(op="plot_choice", **choice)
+    page.wait_for(lambda: plot_of(page, "range_min")["axis"] == "right")
+    assert plot_of(page, "range_min").items() >= choice.items()
+    page.send(op="plot", topic="/scan", field="scan_time", plot=2, on=True)
+    page.wait_for(lambda: plot_of(page, "scan_time") and plot_of(page, "scan_time")["plot"] == 2)
+    for wrong, sentence in (
+        ({"plot": 0}, "from 1 to"),
+        ({"plot": 1.5}, "a whole number"),
+        ({"axis": "top"}, "left or right"),
+        ({"field": "none"}, "none of /scan is not plotted"),
+        ({"unroll": 1}, "true or false"),
+    ):
+        assert sentence in page.ask("error", op="plot_choice", **(choice | wrong)), wrong
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader")
+    for second in range(11):
+        scan = LaserScan(range_max=float(second))
+        scan.header.stamp.sec = 100 + second
+        publisher.publish(scan)
+    page.wait_for(lambda: (plot_of(page, "range_max") or {}).get("shown") == 10.0)
+    assert page.state["plot_time"] == {
+        "zero_ns": str(110 * S),
+        "start_s": -10.0,
+        "end_s": 0.0,
+        "whole_s": 10.0,
+        "is_paused": False,
+        "is_zoomed": False,
+    }
+    page.send(op="plot_time", length_s=2.0, end_ns=None)
+    page.wait_for(lambda: plot_of(page, "range_max")["values"] == [7.0, 8.0, 9.0, 10.0])
+    page.send(op="plot_time", length_s=2.0, end_ns=str(105 * S))
+    page.wait_for(lambda: plot_of(page, "range_max")["values"] == [2.0, 3.0, 4.0, 5.0, 6.0])
+    assert page.state["plot_time"]["is_paused"]
+    assert page.state["plot_time"]["start_s"] == -7.0
+    for length in (0.0, 1e10, -1.0):
+        assert "plots show from" in page.ask("error", op="plot_time", length_s=length, end_ns=None)
+    page.send(op="plot_time", length_s=1e9, end_ns="9" * 19)  # as far as stamps go
+    page.wait_for(lambda: plot_of(page, "range_max")["values"] == [10.0])
+    layout = viewer.view.layout(None)
+    assert layout.plots == (
+        PlotLayout("/scan", "range_max", 1),
+        PlotLayout("/scan", "range_min", 1, "right", unroll=True),
+        PlotLayout("/scan", "scan_time", 2),
+    )
+    for plot in layout.plots:
+        viewer.view.plots.remove(plot.topic, plot.field)
+    viewer.view.apply(layout._replace(plots=(PlotLayout("/scan", "range_max"), *layout.plots[1:])))
+    assert viewer.view.layout(None).plots == (PlotLayout("/scan", "range_max", 3), *layout.plots[1:])
+
+
+def test_paused_plot_keeps_its_numbers_and_goes_on_when_it_follows(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    publisher = node.create_publisher(PointStamped, "/place", 1000)
+    page = open_page(viewer)
+    wait_until(lambda: "/place" in viewer.view.topics.types(), what="the topic")
+    page.send(op="plot", topic="/place", field="point.x", on=True)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader")
+
+    def publish(seconds: range) -> None:
+        for second in seconds:
+            place = PointStamped()
+            place.header.stamp.sec, place.point.x = second, float(second)
+            publisher.publish(place)
+        page.wait_for(lambda: (plot_of(page, "point.x") or {}).get("shown") == float(seconds[-1]))
+
+    publish(range(100, 131))
+    page.send(op="plot_time", length_s=None, end_ns=str(130 * S))
+    page.wait_for(lambda: page.state["plot_time"]["is_paused"])
+    publish(range(131, 400))  # more than the viewer keeps
+    assert plot_of(page, "point.x")["values"][:31] == [float(second) for second in range(100, 131)]
+    assert (page.state["plot_time"]["start_s"], page.state["plot_time"]["end_s"]) == (-30.0, 0.0)
+    page.send(op="plot_time", length_s=None, end_ns=None)
+    page.wait_for(lambda: not page.state["plot_time"]["is_paused"])
+    publish(range(400, 500))
+    assert plot_of(page, "point.x")["values"][-31:] == [float(second) for second in range(469, 500)]
+    assert plot_of(page, "point.x")["values"][0] >= 468.0
+
+
+def test_numbers_that_are_shown_are_saved_with_their_times(
+    node: Node, viewer: Viewer, open_page: OpenPage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    publisher = node.create_publisher(PointStamped, "/place", 1000)
+    page = open_page(viewer)
+    wait_until(lambda: "/place" in viewer.view.topics.types(), what="the topic")
+    for axis in "xyz":
+        page.send(op="plot", topic="/place", field=f"point.{axis}", plot=1 if axis != "z" else 2, on=True)
+    wait_until(lambda: publisher.get_subscription_count() == 1, what="the reader")
+    for number in range(4):
+        place = PointStamped()
+        place.header.stamp.sec, place.header.stamp.nanosec = 1_700_000_000 + number, 5
+        place.point.x, place.point.y = number / 3.0, math.nan if number == 2 else 1e-9
+        publisher.publish(place)
+    page.wait_for(lambda: (plot_of(page, "point.x") or {}).get("shown") == 1.0)
+    page.send(op="plot_time", length_s=2.0, end_ns=None)
+    page.wait_for(lambda: page.state["plot_time"]["is_zoomed"])
+    saved = page.ask("plot_csv", op="plot_csv", plot=1)
+    assert saved["plot"] == 1
+    rows = list(csv.reader(io.StringIO(saved["text"])))
+    assert rows == [
+        ["time [s since epoch]", "from the first row [s]", "/place point.x", "/place point.y"],
+        ["1700000001.000000005", "0.000000000", repr(1 / 3.0), "1e-09"],
+        ["1700000002.000000005", "1.000000000", repr(2 / 3.0), ""],
+        ["1700000003.000000005", "2.000000000", "1.0", "1e-09"],
+    ]
+    assert "there is no plot 7" in page.ask("error", op="plot_csv", plot=7)
+    monkeypatch.setattr(plots_module, "MAX_CSV_ROWS", 2)
+    assert "3 rows, more than 2: zoom in" in page.ask("error", op="plot_csv", plot=1)
+
+
+def test_names_in_a_file_of_numbers_are_quoted() -> None:
+    plots = plots_module.Plots(DescribedTopics("<robot/>"), 60 * S)
+    plots.add('/a,"b"', "data", is_there=False)
+    assert plots.csv(1, None).splitlines()[0].endswith(',"/a,""b"" data"')
+    assert next(csv.reader(io.StringIO(plots.csv(1, None))))[2] == '/a,"b" data'
+
+
 def test_plot_waits_for_its_topic(node: Node, viewer: Viewer, open_page: OpenPage) -> None:
     viewer.view.plots.add("/late", "data", is_there=False)
     viewer.view.plots.add("/text", "data", is_there=False)
@@ -201,15 +386,18 @@ def test_path_waits_for_its_topic_and_stands_for_its_fields(
     page = open_page(viewer)
     page.wait_for(lambda: len(page.state["plots"]) == 6)
     assert page.state["plots"][0]["status"] == "nobody publishes /a/b/pose/position/x:z yet"
-    assert viewer.view.plots.names() == []  # none is written into a layout
+    assert viewer.view.plots.layout() == ()  # none is written into a layout
     # The topic is the longest name that a path begins with.
     node.create_publisher(Float64, "/a", 1)
     page.wait_for(lambda: "has no field b.pose" in page.state["plots"][0]["status"])
     node.create_publisher(PoseStamped, "/a/b", 1)
     node.create_publisher(String, "/text", 1)
     node.create_publisher(LaserScan, "/scan", 1)
-    page.wait_for(lambda: len(viewer.view.plots.names()) == 9)
-    names = viewer.view.plots.names()
+    page.wait_for(lambda: len(viewer.view.plots.layout()) == 9)
+    plots = viewer.view.plots.layout()
+    # The fields of a path share its plot.
+    assert [plot.plot for plot in plots if plot.topic == "/a/b"] == [1, 1, 2, 2, 2, 2]
+    names = [(plot.topic, plot.field) for plot in plots]
     assert [field for topic, field in names if topic == "/a/b"] == [
         "pose.position.x",
         "pose.position.z",
@@ -241,7 +429,7 @@ def test_wrong_plots_get_a_sentence(
     ]
     for command, sentence in wrong:
         assert sentence in page.ask("error", **command), command
-    assert viewer.view.plots.names() == []
+    assert viewer.view.plots.layout() == ()
     monkeypatch.setattr(plots_module, "MAX_PLOTS", 0)
     assert "there are 0 plots already" in page.ask("error", op="plot", topic="/number", field="data", on=True)
 

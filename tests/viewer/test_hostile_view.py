@@ -243,8 +243,10 @@ OPERATIONS = (
         "names",
         "axes",
         "plot",
+        "plot_choice",
+        "plot_time",
     ),
-    *("layout", "plot_topics", "plot_fields", "place", "opened", "image_fault", "no_such", ""),
+    *("layout", "plot_topics", "plot_fields", "plot_csv", "place", "opened", "image_fault", "no_such", ""),
     *sorted(LIVE_COMMANDS - {"drive"}),
     *sorted(FORM_COMMANDS),
 )
@@ -323,6 +325,7 @@ KEYS = (
         "type",
     ),
     *("key", "values", "rate_hz", "tool", "from", "to", "clock"),
+    *("plot", "axis", "unroll", "length_s", "end_ns"),
 )
 
 

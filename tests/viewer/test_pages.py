@@ -681,7 +681,7 @@ def test_layout_is_applied_and_saved(node: Node, viewer: Viewer, open_page: Open
         fixed_frame="base",
         axes_m=0.7,
         displays=(DisplayLayout("/points", "b"), DisplayLayout("/later")),
-        plots=(PlotLayout("/points", "width"),),
+        plots=(PlotLayout("/points", "width", 1),),
         camera=ViewPoint((1.0, 2.0, 3.0), (0.0, 0.0, 0.0)),
     )
     viewer.apply(layout)

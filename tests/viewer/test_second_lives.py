@@ -463,7 +463,7 @@ def test_plot_that_was_removed_or_suspended_is_read_again(participant: Participa
     assert 99.0 not in shown()[0]
     plots.remove("/number", "data")
     assert readers_of(participant, "/number") == 0
-    assert (plots.names(), plots.snapshot(None, None)) == ([], [])
+    assert (plots.layout(), plots.snapshot(None, None)) == ((), [])
     plots.remove("/number", "data")
     plots.poll()
     plots.add("/number", "data")
@@ -555,7 +555,7 @@ def test_plot_of_a_topic_goes_on_while_another_one_of_it_is_removed(participant:
     assert readers_of(participant, "/pose") == 0
     with pytest.raises(PageError, match="has no field nothing"):
         plots.add("/pose", "nothing")
-    assert (plots.names(), readers_of(participant, "/pose")) == ([], 0)
+    assert (plots.layout(), readers_of(participant, "/pose")) == ((), 0)
     topics.close_all()
 
 

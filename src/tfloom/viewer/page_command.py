@@ -14,7 +14,7 @@ from tfloom.rosidl.message import DecodeError
 from tfloom.tf2.errors import TransformException
 from tfloom.viewer.shapes import DisplayError
 
-__all__ = ["PageError", "fault_text", "flag", "number", "stamp", "text", "texts"]
+__all__ = ["PageError", "fault_text", "flag", "number", "stamp", "text", "texts", "whole"]
 
 MAX_TEXT = 4096
 """Number of characters of a text that a page may send."""
@@ -67,6 +67,18 @@ def number(command: Mapping[str, Any], name: str) -> float:
             if math.isfinite(value):
                 return float(value)
     raise PageError(f"{name} has to be a finite number")
+
+
+def whole(command: Mapping[str, Any], name: str) -> int:
+    """Return a whole number of a command.
+
+    Raises:
+        PageError: it is absent, or none.
+    """
+    value = number(command, name)
+    if not value.is_integer():
+        raise PageError(f"{name} has to be a whole number")
+    return int(value)
 
 
 def flag(command: Mapping[str, Any], name: str) -> bool:

@@ -52,10 +52,10 @@ MAX_EARLIER_LINES = 500
 """Number of lines of the log that a new page gets."""
 FILES = {
     "/": ("index.html", "text/html; charset=utf-8"),
-    "/page.css": ("page.css", "text/css; charset=utf-8"),
+    **{f"/{name}.css": (f"{name}.css", "text/css; charset=utf-8") for name in ("page", "uplot")},
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
-        for name in ("page", "forms", "plots", "joints", "settings", "graph", "keys")
+        for name in ("page", "forms", "uplot", "plots", "joints", "settings", "graph", "keys")
     },
 }
 PAGE_POLICY = (

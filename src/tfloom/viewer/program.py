@@ -332,6 +332,8 @@ class Viewer:
             self.pages.answer(page, {"settings": described_settings()})
         elif operation == "plot_topics":
             self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
+        elif operation == "plot_csv":
+            self.pages.answer(page, {"plot_csv": self.view.plot_csv(command)})
         elif operation == "plot_fields":
             self._list_fields(page, text(command, "topic"))
         elif operation not in LIVE_COMMANDS:

@@ -37,8 +37,18 @@ from tfloom.viewer.frames import (
     span_of,
     trail_of,
 )
-from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, PlotLayout, ViewPoint
-from tfloom.viewer.page_command import MAX_TEXTS, PageError, fault_text, flag, number, stamp, text, texts
+from tfloom.viewer.layout.layout import DEFAULT_AXES_M, MAX_PLOT, DisplayLayout, Layout, ViewPoint
+from tfloom.viewer.page_command import (
+    MAX_TEXTS,
+    PageError,
+    fault_text,
+    flag,
+    number,
+    stamp,
+    text,
+    texts,
+    whole,
+)
 from tfloom.viewer.playback import Playback
 from tfloom.viewer.plots.plots import Plots
 from tfloom.viewer.shapes import DisplayError
@@ -179,6 +189,8 @@ class SharedView:
             "names": self._show_names,
             "axes": self._set_axes,
             "plot": self._set_plot,
+            "plot_choice": self._choose_plot,
+            "plot_time": self._set_plot_time,
         }.get(text(command, "op"))
         if do is None:
             raise PageError("there is no such command")
@@ -240,9 +252,35 @@ class SharedView:
     def _set_plot(self, command: Mapping[str, Any]) -> None:
         topic, field = text(command, "topic"), text(command, "field").strip()
         if flag(command, "on"):
-            self.plots.add(topic, field, is_there=not self._is_suspended)  # the page that asked may have gone
+            place = whole(command, "plot") if command.get("plot") is not None else 0
+            if not 0 <= place <= MAX_PLOT:
+                raise PageError(f"the number of a plot is from 1 to {MAX_PLOT}")
+            # The page that asked may have gone.
+            self.plots.add(topic, field, number=place, is_there=not self._is_suspended)
         else:
             self.plots.remove(topic, field)
+
+    def _choose_plot(self, command: Mapping[str, Any]) -> None:
+        self.plots.choose(
+            text(command, "topic"),
+            text(command, "field"),
+            number=whole(command, "plot"),
+            axis=text(command, "axis"),
+            unroll=flag(command, "unroll"),
+        )
+
+    def _set_plot_time(self, command: Mapping[str, Any]) -> None:
+        length_s = None if command.get("length_s") is None else number(command, "length_s")
+        self.plots.show_time(span_of(self.buffer), length_s, stamp(command, "end_ns"))
+
+    def plot_csv(self, command: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the number of a plot, and the numbers that it shows as the text of a file.
+
+        Raises:
+            PageError: there is no such plot, or it shows too many.
+        """
+        plot = whole(command, "plot")
+        return {"plot": plot, "text": self.plots.csv(plot, span_of(self.buffer))}
 
     def _hold(self, command: Mapping[str, Any]) -> None:
         stamp_ns = stamp(command, "stamp_ns")
@@ -395,9 +433,12 @@ class SharedView:
         self._frame_settings |= dict(layout.frames)
         for display in layout.displays[:MAX_DISPLAYS]:
             self._want_another(display)
+        free = itertools.count(1 + max((plot.plot for plot in layout.plots), default=0))
         for plot in layout.plots:
             try:
-                self.plots.add(plot.topic, plot.field, is_there=False)
+                place = plot.plot or min(next(free), MAX_PLOT)
+                self.plots.add(plot.topic, plot.field, number=place, is_there=False)
+                self.plots.choose(plot.topic, plot.field, number=place, axis=plot.axis, unroll=plot.unroll)
             except PageError as error:  # the others are plotted
                 _print_missing(f"{plot.field} of {plot.topic}", error)
 
@@ -430,7 +471,7 @@ class SharedView:
             ),
             trails=tuple(self._trails),
             displays=tuple(displays),
-            plots=tuple(PlotLayout(*name) for name in self.plots.names()),
+            plots=self.plots.layout(),
             camera=camera,
             start_offset_s=self._start_offset_s,
         )
@@ -660,6 +701,7 @@ class SharedView:
             "findings": self._listed("findings", lambda: map(self._finding, self._findings[:MAX_FINDINGS])),
             "displays": self._listed("displays", self._displays),
             "plots": self._listed("plots", lambda: self.plots.snapshot(span, held_ns)),
+            "plot_time": self.plots.time(span),
         }
 
     def _listed(self, what: str, values: Callable[[], Iterable[dict[str, Any]]]) -> list[dict[str, Any]]:

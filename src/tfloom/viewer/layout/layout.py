@@ -7,10 +7,24 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from tfloom.viewer.displays.settings import Value
 
-__all__ = ["DEFAULT_AXES_M", "DisplayLayout", "Layout", "LayoutError", "PlotLayout", "Point", "ViewPoint"]
+__all__ = [
+    "AXES",
+    "DEFAULT_AXES_M",
+    "MAX_PLOT",
+    "DisplayLayout",
+    "Layout",
+    "LayoutError",
+    "PlotLayout",
+    "Point",
+    "ViewPoint",
+]
 
 DEFAULT_AXES_M = 0.3
 """Length of a frame's axes [m]."""
+AXES = ("left", "right")
+"""Sides of a plot at which an axis of values is."""
+MAX_PLOT = 999
+"""Greatest number of a plot."""
 
 Point = tuple[float, float, float]
 
@@ -43,6 +57,12 @@ class PlotLayout(NamedTuple):
 
     topic: str
     field: str
+    plot: int = 0
+    """Number of the plot in which it is drawn, with others of this number; 0: in a plot of its own."""
+    axis: str = "left"
+    """At which side the axis of its values is: left or right."""
+    unroll: bool = False
+    """Whether it is an angle [rad] that goes on beyond half a turn."""
 
 
 class Layout(NamedTuple):

@@ -16,7 +16,9 @@ from tfloom.viewer.displays.settings import (
     to_file,
 )
 from tfloom.viewer.layout.layout import (
+    AXES,
     DEFAULT_AXES_M,
+    MAX_PLOT,
     DisplayLayout,
     Layout,
     PlotLayout,
@@ -69,8 +71,8 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     plots = []
     for number, row in enumerate(file.items(root, "plots")):
         entry = _entry(file, root, row, "plots")
-        unknown += [f"plots[{number}].{key}" for key in entry if key not in {"topic", "field"}]
-        plots.append(PlotLayout(_named(file, entry, "topic"), _named(file, entry, "field")))
+        unknown += [f"plots[{number}].{key}" for key in entry if key not in PlotLayout._fields]
+        plots.append(_plot(file, entry))
     trails = file.items(root, "trails")
     if not all(isinstance(frame, str) for frame in trails):
         raise file.error(trails, "trails has to be a list of frames")
@@ -121,6 +123,17 @@ def _settings(
     return tuple(settings), unknown
 
 
+def _plot(file: PlacedYaml, entry: dict[Any, Any]) -> PlotLayout:
+    plot = entry.get("plot", 0)
+    if not isinstance(plot, int) or isinstance(plot, bool) or not 0 <= plot <= MAX_PLOT:
+        raise file.error(entry, f"plot has to be a whole number from 0 to {MAX_PLOT}")
+    axis = file.text(entry, "axis") or "left"
+    if axis not in AXES:
+        raise file.error(entry, f"axis has to be {' or '.join(AXES)}")
+    topic, field = _named(file, entry, "topic"), _named(file, entry, "field")
+    return PlotLayout(topic, field, plot, axis, file.flag(entry, "unroll", default=False))
+
+
 def _named(file: PlacedYaml, entry: dict[Any, Any], key: str) -> str:
     value = file.text(entry, key)
     if not value:
@@ -140,7 +153,7 @@ def layout_text(layout: Layout) -> str:
         values["trails"] = list(layout.trails)
     values["displays"] = [_display_values(display) for display in layout.displays]
     if layout.plots:
-        values["plots"] = [plot._asdict() for plot in layout.plots]
+        values["plots"] = [_plot_values(plot) for plot in layout.plots]
     if layout.camera is not None:
         values["camera"] = {
             name: [round(part, 4) for part in point] for name, point in layout.camera._asdict().items()
@@ -150,6 +163,15 @@ def layout_text(layout: Layout) -> str:
     if layout.start_offset_s is not None:
         values["start_offset"] = layout.start_offset_s
     return str(yaml.safe_dump(values, sort_keys=False, allow_unicode=True))
+
+
+def _plot_values(plot: PlotLayout) -> dict[str, Any]:
+    usual = PlotLayout(plot.topic, plot.field)._asdict()
+    return {
+        name: value
+        for name, value in plot._asdict().items()
+        if name in {"topic", "field"} or value != usual[name]
+    }
 
 
 def _display_values(display: DisplayLayout) -> dict[str, Any]:

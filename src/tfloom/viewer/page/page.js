@@ -243,13 +243,13 @@ function holdAtSlider() {
 function showSelection() {
   const selection = state.selection;
   $("selection").hidden = !selection;
-  $("right").classList.toggle("on", Boolean(selection) || state.displays.some((row) => row.on && row.is_image));
+  $("right").classList.toggle("on", Boolean(selection) || state.plots.length > 0 || state.displays.some((row) => row.on && row.is_image));
   if (!selection) return;
   const isPair = selection.frames.length === 2;
   const first = selection.frames[0];
   setText($("selection-title"), isPair ? `tf2_echo ${selection.frames.join(" ")}` : first === state.fixed_frame ? first : `${first} in ${state.fixed_frame}`);
   setText($("selection-text"), isPair ? selection.text : `${selection.text}\n\nClick another frame for the transform between them.`);
-  $("plot").hidden = !selection.plot;
+  $("plot").hidden = $("unroll-label").hidden = !selection.plot;
   if (selection.plot) drawPlot(selection.plot);
 }
 
@@ -262,7 +262,8 @@ function drawPlot(plot) {
   context.font = "11px sans-serif";
   const first = plot.seconds[0], span = Math.max(-first, 1e-6);
   CURVES.forEach(([name, color, label], index) => {
-    const values = plot[name], top = index * height + 4, tall = height - 10;
+    const isRolled = name === "yaw_deg" && !$("unroll").checked;   // the server's goes on beyond half a turn
+    const values = isRolled ? plot[name].map((yaw) => yaw - 360 * Math.round(yaw / 360)) : plot[name], top = index * height + 4, tall = height - 10;
     let low = Math.min(...values), high = Math.max(...values);
     if (high - low < 1e-6) { low -= 0.5; high += 0.5; }
     context.fillStyle = "#8b93a3";
@@ -529,6 +530,7 @@ $("names").addEventListener("change", () => send({ op: "names", on: $("names").c
 $("axes").addEventListener("change", () => send({ op: "axes", length: Number($("axes").value) }));
 $("save-layout").addEventListener("click", () => send({ op: "layout" }));
 $("save-rviz").addEventListener("click", () => send({ op: "layout", form: "rviz" }));
+$("unroll").addEventListener("change", () => { if (state) showSelection(); });
 $("unselect").addEventListener("click", () => send({ op: "unselect" }));
 $("slider").addEventListener("pointerdown", () => { isDragging = true; });
 for (const name of ["pointerup", "pointercancel", "blur"]) addEventListener(name, () => { isDragging = false; });

@@ -5,8 +5,12 @@ from __future__ import annotations
 import bisect
 import math
 from array import array
+from typing import TYPE_CHECKING
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["MAX_SAMPLES", "Series"]
 
@@ -27,6 +31,10 @@ class Series:
         self._length_ns = length_ns
         self._stamps = array("q")
         self._values = array("d")
+        self.kept_from_ns: int | None = None
+        """Time from which numbers are kept though they are old, as while a page looks at them [ns since epoch]."""
+        self._turned_rad = 0.0
+        """By how much the first number is unrolled, because of those before it that were dropped [rad]."""
 
     def __len__(self) -> int:
         return len(self._stamps)
@@ -53,45 +61,91 @@ class Series:
         """Drop all numbers."""
         del self._stamps[:]
         del self._values[:]
+        self._turned_rad = 0.0
 
     def _drop(self) -> None:
         # What is dropped is moved in memory, so it is done for many numbers at once.
         if self._length_ns is not None and len(self._stamps) % 64 == 0:
-            count = bisect.bisect_left(self._stamps, self._stamps[-1] - self._length_ns)
+            oldest_ns = self._stamps[-1] - self._length_ns
+            if self.kept_from_ns is not None:
+                oldest_ns = min(oldest_ns, self.kept_from_ns)
+            count = bisect.bisect_left(self._stamps, oldest_ns)
+            self._note_turns(count)
             del self._stamps[:count]
             del self._values[:count]
         if len(self._stamps) > MAX_SAMPLES:
             chosen = _extremes(np.array(self._values), np.arange(0, len(self._stamps), 4))
+            self._note_turns(int(chosen[0]))
             self._stamps = array("q", np.array(self._stamps)[chosen].tobytes())
             self._values = array("d", np.array(self._values)[chosen].tobytes())
 
-    def at(self, stamp_ns: int | None) -> float | None:
+    def _note_turns(self, first: int) -> None:
+        """Note by how much a number is unrolled that will be the first one."""
+        values = np.array(self._values[: first + 1])
+        if first and not math.isnan(values[-1]):
+            self._turned_rad = float(_unrolled(values, self._turned_rad)[-1] - values[-1])
+
+    def values(self, *, unrolls: bool) -> NDArray[np.float64]:
+        """Return all numbers; a gap is NaN.
+
+        Args:
+            unrolls: Whether they are angles [rad] that go on beyond half a turn: of two in a row that are further apart
+                than that, the later one is moved by whole turns.
+        """
+        values = np.array(self._values, np.float64)
+        return _unrolled(values, self._turned_rad) if unrolls else values
+
+    def at(self, stamp_ns: int | None, *, unrolls: bool = False) -> float | None:
         """Return the last number up to a time [ns since epoch], or of all; None where there is none, or a gap."""
         count = len(self._stamps) if stamp_ns is None else bisect.bisect_right(self._stamps, stamp_ns)
-        value = self._values[count - 1] if count else math.nan
+        if not count:
+            return None
+        value = float(self.values(unrolls=True)[count - 1]) if unrolls else self._values[count - 1]
         return None if math.isnan(value) else value
 
+    def between(
+        self, start_ns: int, end_ns: int, *, unrolls: bool = False
+    ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+        """Return the stamps [ns since epoch] and the numbers of a time, both ends included; a gap is NaN."""
+        first = bisect.bisect_left(self._stamps, start_ns)
+        last = bisect.bisect_right(self._stamps, end_ns)
+        return np.array(self._stamps[first:last], np.int64), self.values(unrolls=unrolls)[first:last]
+
     def reduced_points(
-        self, start_ns: int, end_ns: int, count: int
+        self, start_ns: int, end_ns: int, count: int, *, unrolls: bool = False
     ) -> tuple[list[float], list[float | None]]:
         """Return numbers of a time: seconds before its end, and values; None for a gap.
+
+        Those next to it on both sides are included, because lines reach them.
 
         Args:
             start_ns: Start of the time [ns since epoch].
             end_ns: Its end, which is included.
             count: Number of equal parts of the time, of each of which the least and the greatest value are returned if
                 there are more than two for each part.
+            unrolls: Whether the numbers are angles that go on beyond half a turn, as in `values`.
         """
-        first = bisect.bisect_left(self._stamps, start_ns)
-        last = bisect.bisect_right(self._stamps, end_ns)
+        first = max(bisect.bisect_left(self._stamps, start_ns) - 1, 0)
+        last = bisect.bisect_right(self._stamps, end_ns) + 1
         stamps = np.array(self._stamps[first:last], np.int64)
-        values = np.array(self._values[first:last], np.float64)
+        values = self.values(unrolls=unrolls)[first:last]
         if len(stamps) > 2 * count:
             edges = np.searchsorted(stamps, np.linspace(start_ns, end_ns, count, endpoint=False))
-            chosen = _extremes(values, np.unique(edges[edges < len(stamps)]))
+            beside = [place for place in (0, len(stamps) - 1) if not start_ns <= stamps[place] <= end_ns]
+            chosen = _extremes(values, np.unique([*edges[edges < len(stamps)], *beside]))
             stamps, values = stamps[chosen], values[chosen]
-        seconds = ((stamps - end_ns) / 1e9).round(4).tolist()
+        # So many digits that stamps differ on the page, too.
+        digits = min(9, 4 + math.ceil(max(0.0, -math.log10(max(end_ns - start_ns, 1) / 1e9))))
+        seconds = ((stamps - end_ns) / 1e9).round(digits).tolist()
         return seconds, [None if math.isnan(value) else float(f"{value:.7g}") for value in values.tolist()]
+
+
+def _unrolled(values: NDArray[np.float64], turned_rad: float) -> NDArray[np.float64]:
+    """Return angles [rad] without jumps of whole turns, from the first one on, which is moved by an angle."""
+    unrolled: NDArray[np.float64] = values.copy()
+    is_number = ~np.isnan(values)
+    unrolled[is_number] = np.unwrap(values[is_number]) + turned_rad
+    return unrolled
 
 
 def _extremes(values: np.ndarray, starts: np.ndarray) -> np.ndarray:
