@@ -589,6 +589,7 @@ def test_what_rviz_has_no_counterpart_for_is_named() -> None:
     assert missing == [
         "the ways of base_link, <b>",
         "the plot of twist.twist.linear.x of /odom",
+        "the plot of theta of /turtle1/pose",
         "the display of /points, whose type is not known",
         "the display of /scan, whose type is not known",
         "the display of /wrench, whose type is not known",
