@@ -9,7 +9,6 @@ from importlib import import_module
 from typing import Any, NamedTuple, NoReturn, TypeAlias
 
 from tfloom import __version__
-from tfloom.ros_imports import ros_distro
 
 
 class Group(NamedTuple):
@@ -252,6 +251,8 @@ def build_parser(
 
 def help_since(distribution: str, text: str) -> str:
     """Return the help of a flag that ROS 2 has from a distribution on: it is accepted before, and not shown."""
+    from tfloom.ros_imports import ros_distro  # which `--version` and `--help` don't need
+
     return text if ros_distro.since(distribution) else argparse.SUPPRESS
 
 
