@@ -76,7 +76,7 @@ __all__ = [
     "AsyncTimer",
 ]
 
-if sys.version_info < (3, 11):
+if not TYPE_CHECKING and sys.version_info < (3, 11):
     raise ImportError("AsyncNode needs Python 3.11 or later, which has asyncio.TaskGroup")
 
 MAX_SLICE_S = 1.0
@@ -391,7 +391,7 @@ class AsyncNode(BaseNode):
             executor.shutdown()
             raise RuntimeError(f"AsyncNode could not start its thread: {error}") from error
         self._executor, self._waker, self._ended = executor, waker, asyncio.Event()
-        self._group = asyncio.TaskGroup()
+        self._group = asyncio.TaskGroup()  # type: ignore[attr-defined]  # of Python 3.11
         await self._group.__aenter__()
         self._start(self._run_executor(executor, waker))
         return self
