@@ -207,9 +207,9 @@ takers.sent = ({ key, state: sentState, text }) => {
 };
 
 // A connection that is opened anew is another page for the server, which has ended what that before had begun.
-takers.page = () => {
+onPage.push(() => {
   if (formKey) takers.sent({ key: formKey, state: "error", text: "the connection was lost, which has ended it" });
-};
+});
 
 openers.send = askFormNames;
 $("form-what").addEventListener("change", () => {

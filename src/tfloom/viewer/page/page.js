@@ -11,6 +11,7 @@ let isDragging = false;      // the slider
 // What the other scripts of the page add: by the key of a message, what takes it; by panel, what opening it asks for.
 const takers = {};
 const openers = {};
+const onPage = [];          // what the parts of the page do when a connection has been opened, the first or a further one
 const showers = [];           // called with each new state
 
 function send(command) {
@@ -50,7 +51,7 @@ function connect() {
 }
 
 function take(message) {
-  if (message.page !== undefined) { openScene(message.page, message.camera); openAskedPanel(); }
+  if (message.page !== undefined) { openScene(message.page, message.camera); openAskedPanel(); for (const act of onPage) act(); }
   if (message.state !== undefined) { state = message.state; show(); }
   if (message.log !== undefined) addLines(message.log);
   if (message.error !== undefined) say(message.error);

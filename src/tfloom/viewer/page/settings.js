@@ -6,7 +6,7 @@ const opened = new Map();     // by the display's name, its controls
 let isFramesOpen = false;
 
 takers.settings = (told) => { known = told; fillPlain(); if (state) show(); };
-takers.page = () => send({ op: "settings" });
+onPage.push(() => send({ op: "settings" }));
 
 const hex = (color) => `#${color.map((part) => part.toString(16).padStart(2, "0")).join("")}`;
 const unhex = (text) => [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16));
