@@ -24,6 +24,7 @@ NAMES = (
 
 
 NOT_ON_ZENOH = {
+    "test_command_with_the_other_type_is_told_the_type": "the type is in the key there",
     "test_transforms_are_received_while_the_gil_is_held": "each message calls Python there",
     "test_a_publisher_that_listeners_do_not_hear_is_named": "they hear it, whatever its quality of service",
     "test_incompatible_endpoints_are_reported_on_both_sides": "the text differs: tests/rmw/test_zenoh_wire.py has it",

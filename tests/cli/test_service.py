@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 from collections.abc import Callable
@@ -159,5 +160,6 @@ def test_call_has_the_requested_quality() -> None:
     call = ("service", "call", "/clear", "std_srvs/srv/Empty", "--timeout", "5")
     assert transcript.run_here(*call, "--qos-depth", "3").exit_code == 0
     wrong = transcript.run_here(*call, "--qos-reliability", "best_effort")
-    assert wrong.exit_code == 1
-    assert "/clear" in wrong.text
+    passes = os.environ.get("RMW_IMPLEMENTATION") == "rmw_zenoh_cpp"  # which matches all
+    assert wrong.exit_code == int(not passes)
+    assert passes or "/clear" in wrong.text

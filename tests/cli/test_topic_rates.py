@@ -198,7 +198,7 @@ def test_a_topic_whose_type_nobody_has_stops_no_other(
 ) -> None:
     publish("/x", Header)
     with joined_participant() as participant:
-        unknown = Topic("/z", "nobodys_msgs/msg/Thing", "")
+        unknown = Topic("/z", "nobodys_msgs/msg/Thing", f"RIHS01_{0:064}")
         writer = participant.create_writer(NodeName("/", "other"), unknown, QoS())
         program = start_program("python", *transcript.python_words("topic", "hz", "-a", constants=QUICK))
         program.wait_for("/x ")
