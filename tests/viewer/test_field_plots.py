@@ -152,6 +152,17 @@ def test_angles_are_unrolled_if_asked_also_after_the_first_ones_are_dropped() ->
     assert series.at(None, unrolls=True) == 1.0
 
 
+def test_angles_are_unrolled_also_where_a_gap_is_the_first_that_is_left() -> None:
+    series = Series(100 * S)
+    angles = np.arange(0.0, 640.0, 0.5)  # dropped 64 at a time: each drop is followed by a gap
+    for second, angle in enumerate(angles.tolist()):
+        is_gap = second % 64 in range(8, 11)
+        series.add(second * S, math.nan if is_gap else math.remainder(angle, math.tau))
+    assert series.span is not None
+    assert math.isnan(series.between(series.span[0], series.span[0])[1][0])
+    assert series.at(None, unrolls=True) == pytest.approx(angles[-1])
+
+
 def test_gap_does_not_end_what_is_unrolled() -> None:
     series = Series(None)
     for second, angle in enumerate((3.0, math.nan, -3.0)):

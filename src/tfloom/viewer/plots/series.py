@@ -70,19 +70,22 @@ class Series:
             if self.kept_from_ns is not None:
                 oldest_ns = min(oldest_ns, self.kept_from_ns)
             count = bisect.bisect_left(self._stamps, oldest_ns)
-            self._note_turns(count)
+            if count:
+                self._note_turns(np.arange(count, len(self._values)))
             del self._stamps[:count]
             del self._values[:count]
         if len(self._stamps) > MAX_SAMPLES:
             chosen = _extremes(np.array(self._values), np.arange(0, len(self._stamps), 4))
-            self._note_turns(int(chosen[0]))
+            self._note_turns(chosen)
             self._stamps = array("q", np.array(self._stamps)[chosen].tobytes())
             self._values = array("d", np.array(self._values)[chosen].tobytes())
 
-    def _note_turns(self, first: int) -> None:
-        """Note by how much a number is unrolled that will be the first one."""
-        values = np.array(self._values[: first + 1])
-        if first and not math.isnan(values[-1]):
+    def _note_turns(self, kept: NDArray[np.intp]) -> None:
+        """Note by how much the first number is unrolled of those whose indices are kept; it may be behind a gap."""
+        values = np.array(self._values)
+        known = kept[~np.isnan(values[kept])]
+        if len(known):
+            values = values[: int(known[0]) + 1]
             self._turned_rad = float(_unrolled(values, self._turned_rad)[-1] - values[-1])
 
     def values(self, *, unrolls: bool) -> NDArray[np.float64]:
