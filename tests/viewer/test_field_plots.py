@@ -382,6 +382,11 @@ def test_plot_waits_for_its_topic(node: Node, viewer: Viewer, open_page: OpenPag
     page.wait_for(lambda: "data is a text" in page.state["plots"][1]["status"])
 
 
+def pathless(page: Page) -> dict[str, str]:
+    """Return the status of each plot without a field, by topic."""
+    return {plot["topic"]: plot["status"] for plot in page.state["plots"] if not plot["field"]}
+
+
 def test_path_waits_for_its_topic_and_stands_for_its_fields(
     node: Node, viewer: Viewer, open_page: OpenPage
 ) -> None:
@@ -420,7 +425,8 @@ def test_path_waits_for_its_topic_and_stands_for_its_fields(
         "header.stamp.nanosec",
         "angle_min",
     ]
-    left = {plot["topic"]: plot["status"] for plot in page.state["plots"] if not plot["field"]}
+    page.wait_for(lambda: "no numbers" in pathless(page)["/text"])
+    left = pathless(page)
     assert left["/text"] == "/text has no numbers outside of arrays: name a field"
     assert "has no field data.0" in left["/a/b/data/0"]
     page.send(op="plot", topic="/text", field="", on=False)
