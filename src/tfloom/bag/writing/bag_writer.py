@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from enum import Enum
@@ -139,8 +140,7 @@ class BagWriter:
         self.queue = make_queue(self.settings)
         self.state = State.OPEN
         self._topics = TopicTable()
-        self._counts: dict[int, int] = {}
-        self._file_counts: list[dict[int, int]] = []
+        self._file_counts: list[Counter[int]] = []
         """Numbers of messages by channel, of each of `_files`."""
         self._opened_count = 0
         self._files: list[FileInformation] = []
@@ -168,7 +168,11 @@ class BagWriter:
     @property
     def message_count(self) -> int:
         """Number of messages that are written."""
-        return sum(self._counts.values())
+        return self._counts().total()
+
+    def _counts(self) -> Counter[int]:
+        """Return the numbers of messages by channel, of all files that are kept."""
+        return sum(self._file_counts, Counter())
 
     def add_topic(self, topic: Topic) -> int:
         """Add a topic, and return the number of its channel, from 1.
@@ -188,7 +192,7 @@ class BagWriter:
     def remove_topic(self, name: str) -> None:
         """Leave a topic out of the bag, unless it has messages, also such that are still waiting."""
         self._topics.remove(name)
-        self._topics.restore(list(self._counts))
+        self._topics.restore(list(self._counts()))
 
     def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> None:
         """Add a message, and write the chunks that are complete.
@@ -286,9 +290,7 @@ class BagWriter:
                     f"The oldest file {oldest} can't be deleted: {error.strerror}"
                 )
                 return
-            del self._files[0], self._paths[0]
-            for number, count in self._file_counts.pop(0).items():
-                self._counts[number] -= count
+            del self._files[0], self._paths[0], self._file_counts[0]
 
     def close(self) -> None:
         """Write what is waiting, complete the file, and write metadata.yaml. Closing again does nothing.
@@ -360,9 +362,9 @@ class BagWriter:
         used = [file for file in self._files if file.message_count]
         start_ns = min((file.start_ns for file in used), default=NO_TIME_NS)
         end_ns = max((file.start_ns + file.duration_ns for file in used), default=start_ns)
+        counts = self._counts()
         topics = [
-            topic._replace(message_count=self._counts.get(number, 0))
-            for number, topic in self._topics.present().items()
+            topic._replace(message_count=counts[number]) for number, topic in self._topics.present().items()
         ]
         mode = self.settings.compression_mode
         return Metadata(
@@ -399,7 +401,7 @@ class BagWriter:
         # name no file that isn't there.
         self._opened_count += 1
         self._files.append(info)
-        self._file_counts.append({})
+        self._file_counts.append(Counter())
         self._paths.append(name)
         return file
 
@@ -425,8 +427,7 @@ class BagWriter:
         # A topic that was removed while its messages were waiting is in the bag all the same.
         self._topics.restore([number for number, _ in chunk.counts()])
         for number, count in chunk.counts():
-            for counts in (self._counts, self._file_counts[-1]):
-                counts[number] = counts.get(number, 0) + count
+            self._file_counts[-1][number] += count
         # Chunks may overlap in time, and come in any order of their stamps, so both ends of the file may move.
         last = self._files[-1]
         first_ns, end_ns = chunk.start_ns, chunk.end_ns
