@@ -50,32 +50,35 @@ def main(args: argparse.Namespace) -> int:
 
 
 def _print_rate(arrivals: rates.Window) -> None:
-    if not arrivals.is_new or len(arrivals.values) < 2:
+    if not (periods := _new_periods(arrivals)):
         report("no new messages")
         return
-    arrivals.is_new = False
-    times = list(arrivals.values)
-    periods = [later - earlier for earlier, later in pairwise(times)]
     print(f"average rate: {_rate(periods):.3f}")
-    print(rates.spread_line(periods, len(times)))
-
-
-def _rate(periods: list[float]) -> float:
-    """Return the rate of messages with these times between them [s]."""
-    mean = rates.spread(periods)[0]
-    return 1 / mean if mean > 0 else float("inf")
+    print(rates.spread_line(periods, len(arrivals.values)))
 
 
 def _table(windows: dict[str, rates.Window]) -> list[str]:
     """Return a line for each topic that has had messages since the last table."""
     rows = []
     for name, arrivals in sorted(windows.items()):
-        periods = [later - earlier for earlier, later in pairwise(arrivals.values)]
-        if arrivals.is_new and periods:
-            arrivals.is_new = False
+        if periods := _new_periods(arrivals):
             _, least, greatest, deviation = rates.spread(periods)
             numbers = (_rate(periods), least, greatest, deviation)
             rows.append([name, *(f"{number:.4g}" for number in numbers), f"{len(arrivals.values)}"])
     if not rows:
         return ["no new messages"]
     return rates.table_lines(["topic", "rate", "min_delta", "max_delta", "std_dev", "window"], rows)
+
+
+def _new_periods(arrivals: rates.Window) -> list[float]:
+    """Return the times between messages [s]; none if there are fewer than two, or nothing new since the last call."""
+    if not arrivals.is_new or len(arrivals.values) < 2:
+        return []
+    arrivals.is_new = False
+    return [later - earlier for earlier, later in pairwise(arrivals.values)]
+
+
+def _rate(periods: list[float]) -> float:
+    """Return the rate of messages with these times between them [Hz]."""
+    mean = rates.spread(periods)[0]
+    return 1 / mean if mean > 0 else float("inf")

@@ -7,8 +7,8 @@ import math
 import sys
 import time
 from collections import deque
-from collections.abc import Callable, Sequence
-from contextlib import closing
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import closing, contextmanager
 
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.errors import CommandError
@@ -28,7 +28,7 @@ from tfloom.cli.shared.qos import add_arguments as add_qos_arguments
 from tfloom.cli.shared.qos import requested_qos, suiting_qos
 from tfloom.cli.shared.sim_time import clock, wait_until_known
 from tfloom.common.terminal import clear_terminal, report
-from tfloom.rmw.base import Graph, Sample
+from tfloom.rmw.base import Graph, Participant, Sample
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.waiting import wait_for_token
 from tfloom.rosidl.message import Message
@@ -122,17 +122,33 @@ def watch(
         publishers = wait_for_publishers(participant.graph, name, math.inf)
         cls = message_class(find_type(participant.graph, name), participant)
         check(cls)
-        # Receipts have this machine's time. Under a simulation, the time of /clock at the callback takes their place.
-        simulated = args.use_sim_time and not getattr(args, "wall_time", False)
-        with clock(participant, cli_node(), simulated=simulated) as now_ns:
-            if simulated:
-                wait_until_known(now_ns)
-            quality = requested_qos(args, QoS()) or suiting_qos(publishers)
+        quality = requested_qos(args, QoS()) or suiting_qos(publishers)
+        with _clocks(args, participant) as (now_s, came_s):
             for sample in samples_and_ticks(participant, name, cls, quality, tick_s=REPORT_S):
                 if sample is None:
-                    report(now_ns() * 1e-9)
+                    report(now_s())
                 else:
-                    on_sample(sample, cls, (now_ns() if simulated else sample.received_stamp_ns) * 1e-9)
+                    on_sample(sample, cls, came_s(sample))
+
+
+@contextmanager
+def _clocks(
+    args: argparse.Namespace, participant: Participant
+) -> Iterator[tuple[Callable[[], float], Callable[[Sample], float]]]:
+    """Yield a function that returns the time [s], and one that returns a sample's time of arrival [s].
+
+    Receipts have this machine's time. Under a simulation, the time of /clock when the function is called takes their
+    place.
+    """
+    simulated = args.use_sim_time and not getattr(args, "wall_time", False)
+    with clock(participant, cli_node(), simulated=simulated) as now_ns:
+        if simulated:
+            wait_until_known(now_ns)
+
+        def now_s() -> float:
+            return now_ns() * 1e-9
+
+        yield now_s, (lambda _: now_s()) if simulated else (lambda sample: sample.received_stamp_ns * 1e-9)
 
 
 def watch_several(
@@ -159,12 +175,9 @@ def watch_several(
         for name in names:
             if not publishers_of(participant.graph, name):
                 report(f"WARNING: topic [{name}] does not appear to be published yet")
-        simulated = args.use_sim_time and not getattr(args, "wall_time", False)
         asked_qos = requested_qos(args, QoS())
         refused: set[str] = set()
-        with clock(participant, cli_node(), simulated=simulated) as now_ns:
-            if simulated:
-                wait_until_known(now_ns)
+        with _clocks(args, participant) as (now_s, came_s):
             next_report_s = time.monotonic() + REPORT_S
             while True:
                 _open_published(participant.graph, names, readers, refused, asked_qos)
@@ -172,14 +185,13 @@ def watch_several(
                     is_idle = True
                     for name, cls, sample in readers.take():
                         is_idle = False
-                        came_ns = now_ns() if simulated else sample.received_stamp_ns
-                        on_sample(name, sample, cls, came_ns * 1e-9)
+                        on_sample(name, sample, cls, came_s(sample))
                     if is_idle:
                         wait_for_token(readers.queue, next_report_s)
                 next_report_s = max(next_report_s + REPORT_S, time.monotonic())
                 readers.warn_of_mismatches()
                 clear_terminal(sys.stdout)
-                print("\n".join(table(now_ns() * 1e-9)), flush=True)
+                print("\n".join(table(now_s())), flush=True)
 
 
 def _open_published(
