@@ -148,10 +148,16 @@ class TerminalOutput:
         return getattr(self.stream, name)
 
 
+HOME = "\x1b[H"
+"""To the upper left corner."""
+CLEAR = "\x1b[2J"
+"""Nothing on the screen."""
+
+
 def clear_terminal(stream: Any) -> None:
     """Clear the screen if a stream is a terminal, and go to its first line."""
     if is_terminal(stream):
-        unescaped(stream).write("\x1b[2J\x1b[H")
+        unescaped(stream).write(CLEAR + HOME)
 
 
 def unescaped(stream: Any) -> Any:

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from tfloom.tf2_tools.text import matrix_from_quaternion
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
@@ -69,14 +71,9 @@ class AxisColors(NamedTuple):
         """Return a colour for each point (N, 3), for their pose in the fixed frame where that is known."""
         if not self.is_of_fixed_frame or pose is None:
             return self.scale.of(positions[:, self.axis])
-        (x, y, z, w), place = pose[1], pose[0]
-        row = (
-            (1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)),
-            (2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)),
-            (2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)),
-        )[self.axis]
-        along = sum(part * positions[:, number].astype(np.float64) for number, part in enumerate(row))
-        return self.scale.of(along + place[self.axis])
+        place, rotation_xyzw = pose
+        row = matrix_from_quaternion(rotation_xyzw)[self.axis]
+        return self.scale.of(positions.astype(np.float64) @ np.array(row) + place[self.axis])
 
 
 def rainbow(values: ArrayLike) -> NDArray[np.uint8]:

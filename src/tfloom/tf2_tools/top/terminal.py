@@ -12,13 +12,12 @@ from rich.console import Console
 from rich.style import Style
 
 from tfloom.common.keyboard import Keyboard
+from tfloom.common.terminal import CLEAR, HOME
 from tfloom.tf2_tools.top.lines import Line
 
 ENTER = "\x1b[?1049h\x1b[?25l\x1b[?7l"
 """To the other screen, without a cursor, without wrapping of long lines."""
 LEAVE = "\x1b[?7h\x1b[?25h\x1b[?1049l"
-HOME = "\x1b[H"
-CLEAR = "\x1b[2J"
 
 
 class Screen:
