@@ -6,10 +6,9 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS
+from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, SERVICE_EVENTS, STATUS
 
 __all__ = [
-    "SERVICE_EVENT_SUFFIX",
     "TopicChoice",
     "action_of",
     "full_names",
@@ -17,12 +16,11 @@ __all__ = [
     "service_of_event",
 ]
 
-SERVICE_EVENT_SUFFIX = "/_service_event"
 _EVENT_TYPE_SUFFIX = "_Event"
 _ACTION_SUFFIXES = (
     FEEDBACK,
     STATUS,
-    *(service + SERVICE_EVENT_SUFFIX for service in (SEND_GOAL, CANCEL_GOAL, GET_RESULT)),
+    *(service + SERVICE_EVENTS for service in (SEND_GOAL, CANCEL_GOAL, GET_RESULT)),
 )
 
 
@@ -33,12 +31,12 @@ def full_names(names: Iterable[str]) -> list[str]:
 
 def is_service_event(topic: str, type_name: str) -> bool:
     """Return whether a topic has the events of a service's introspection."""
-    return topic.endswith(SERVICE_EVENT_SUFFIX) and type_name.endswith(_EVENT_TYPE_SUFFIX)
+    return topic.endswith(SERVICE_EVENTS) and type_name.endswith(_EVENT_TYPE_SUFFIX)
 
 
 def service_of_event(topic: str) -> str:
     """Return the service of a topic of events: `/add` of `/add/_service_event`."""
-    return topic.removesuffix(SERVICE_EVENT_SUFFIX)
+    return topic.removesuffix(SERVICE_EVENTS)
 
 
 def action_of(topic: str) -> str:
@@ -81,7 +79,7 @@ class TopicChoice:
 
     def wanted_names(self) -> set[str]:
         """Return the topics that are listed by name, those of services' events included."""
-        return {*self.topics, *(service + SERVICE_EVENT_SUFFIX for service in self.services)}
+        return {*self.topics, *(service + SERVICE_EVENTS for service in self.services)}
 
     def wants(self, topic: str, type_name: str) -> bool:
         """Return whether a topic is wanted: by itself, as the events of a service, or as a part of an action."""

@@ -45,6 +45,9 @@ GET_RESULT = "/_action/get_result"
 FEEDBACK = "/_action/feedback"
 STATUS = "/_action/status"
 
+SERVICE_EVENTS = "/_service_event"
+"""What follows a service's name in that of the topic of its introspection."""
+
 SEND_GOAL_TYPE = "_SendGoal"
 """Suffix of the action's type name in the type name of its `SEND_GOAL` service."""
 

@@ -10,12 +10,13 @@ from tfloom.bag.bag import Bag
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.played_requests import PlayedRequests
 from tfloom.bag.qos_profiles import offered, offers_differ
-from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, is_service_event, service_of_event
+from tfloom.bag.topic_choice import is_service_event, service_of_event
 from tfloom.bag.values import RawMessage, Topic
 from tfloom.bag.writing.definition_text import hash_of
 from tfloom.node.base.node_base import open_endpoint
 from tfloom.rmw import base
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.typed_names import SERVICE_EVENTS
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -49,9 +50,7 @@ class PlayedTopics:
         choice = self._options.choice
         topics = self._bag.topics
         missing = [f"topic '{name}'" for name in choice.topics if name not in topics]
-        missing += [
-            f"service '{name}'" for name in choice.services if name + SERVICE_EVENT_SUFFIX not in topics
-        ]
+        missing += [f"service '{name}'" for name in choice.services if name + SERVICE_EVENTS not in topics]
         for name in missing:
             self._node.get_logger().warning(
                 f"The bag has no {name}, which is not played. It has: {', '.join(sorted(topics)) or 'no topics'}"

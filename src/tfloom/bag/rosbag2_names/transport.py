@@ -18,11 +18,12 @@ from tfloom.bag.recording.run import record
 from tfloom.bag.rosbag2_names.qos import wire_profile
 from tfloom.bag.rosbag2_names.storage import StorageOptions
 from tfloom.bag.rosbag2_names.writers import writer_settings
-from tfloom.bag.topic_choice import SERVICE_EVENT_SUFFIX, TopicChoice, full_names
+from tfloom.bag.topic_choice import TopicChoice, full_names
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import get_default_context, try_shutdown
 from tfloom.node.log.log_output import LoggingSeverity
 from tfloom.node.log.logging import get_logging_severity_from_string, set_logger_level
+from tfloom.rmw.typed_names import SERVICE_EVENTS
 
 __all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource", "bag_rewrite"]
 
@@ -316,7 +317,7 @@ def _severity(log_level: str) -> LoggingSeverity:
 
 def _services(names: Sequence[str]) -> list[str]:
     """Return services, given by their names or by those of their events."""
-    return [name.removesuffix(SERVICE_EVENT_SUFFIX) for name in full_names(names)]
+    return [name.removesuffix(SERVICE_EVENTS) for name in full_names(names)]
 
 
 def _seconds(value: Any) -> float:

@@ -18,19 +18,18 @@ from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.waiting import wait_for_token
-from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS
+from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, SERVICE_EVENTS, STATUS
 from tfloom.rosidl.message import Message
 
-EVENTS = "/_service_event"
 LOOK_S = 0.2
 """Period at which publishers are searched for, because a server may enable its introspection later [s]."""
 PATIENCE_S = 2.0
 """Wait for publishers before the user gets a message about it [s]."""
 
 INTERFACES = {
-    "GOAL_SERVICE": SEND_GOAL + EVENTS,
-    "CANCEL_SERVICE": CANCEL_GOAL + EVENTS,
-    "RESULT_SERVICE": GET_RESULT + EVENTS,
+    "GOAL_SERVICE": SEND_GOAL + SERVICE_EVENTS,
+    "CANCEL_SERVICE": CANCEL_GOAL + SERVICE_EVENTS,
+    "RESULT_SERVICE": GET_RESULT + SERVICE_EVENTS,
     "FEEDBACK_TOPIC": FEEDBACK,
     "STATUS_TOPIC": STATUS,
 }

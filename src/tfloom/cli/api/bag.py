@@ -16,6 +16,7 @@ from tfloom.node.qos.qos import (
     QoSReliabilityPolicy,
 )
 from tfloom.node.values.duration import Duration
+from tfloom.rmw.typed_names import SERVICE_EVENTS
 
 __all__ = [
     "add_standard_reader_args",
@@ -168,4 +169,4 @@ def add_standard_reader_args(parser: argparse.ArgumentParser) -> None:
 
 def convert_service_to_service_event_topic(services: Sequence[str] | None) -> list[str]:
     """Return the topics on which services publish their events."""
-    return [f"{service}/_service_event" for service in services or ()]
+    return [service + SERVICE_EVENTS for service in services or ()]

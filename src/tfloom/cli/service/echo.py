@@ -14,6 +14,7 @@ from tfloom.cli.shared.names import full_topic_name
 from tfloom.cli.shared.qos import suiting_qos
 from tfloom.common.terminal import report
 from tfloom.rmw.base import Graph
+from tfloom.rmw.typed_names import SERVICE_EVENTS
 
 KINDS = ("REQUEST_SENT", "REQUEST_RECEIVED", "RESPONSE_SENT", "RESPONSE_RECEIVED")
 """The constants of service_msgs/msg/ServiceEventInfo."""
@@ -35,7 +36,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Print events until Ctrl-C."""
     name = full_topic_name(args.service_name, "service")
-    events = f"{name}/_service_event"
+    events = name + SERVICE_EVENTS
     text = message_text.message_text(args)
     with graph.settled_participant(args.spin_time) as participant:
         cls = service_class(args.service_type or _type_of(participant.graph, name), participant).Event

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from tfloom.interfaces.service_msgs.msg import ServiceEventInfo
 from tfloom.node.qos.qos import QoSProfile
+from tfloom.rmw.typed_names import SERVICE_EVENTS
 from tfloom.rosidl.message import Message
 from tfloom.rosidl.service import Service as ServiceType
 
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
     from tfloom.rmw.base import RequestId
 
 __all__ = ["Introspection", "ServiceIntrospectionState"]
-
-TOPIC_SUFFIX = "/_service_event"
 
 
 class ServiceIntrospectionState(IntEnum):
@@ -49,7 +48,7 @@ class Introspection:
         destroy_publisher: Callable[[Publisher[Any]], bool],
     ) -> None:
         self._event_type: type[Any] = srv_type.Event
-        self._topic = srv_name + TOPIC_SUFFIX
+        self._topic = srv_name + SERVICE_EVENTS
         self._create = create_publisher
         self._destroy = destroy_publisher
         self._publisher: Publisher[Any] | None = None
