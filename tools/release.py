@@ -33,7 +33,7 @@ from tools.set_up import (
 
 FOLDER = ROOT / "build" / "release"
 PROJECTS = (ROOT, *(ROOT / "packages" / name for name in PACKAGES))
-MAX_WHEEL_SIZE = 3_000_000
+MAX_WHEEL_SIZE = 3_200_000
 """The size that a wheel of tfloom stays under on Linux with x86-64. The aim is 2 MB (docs/platforms.md)."""
 
 IGNORED = {

@@ -17,11 +17,18 @@ pytestmark = pytest.mark.skipif(os.name == "nt", reason="scripts of a shell stan
 
 
 def install(folder: Path, name: str) -> Path:
-    """Write a command as pip does."""
+    """Write a command as pip does where the path of Python has a space, which the first line can't name."""
     folder.mkdir(exist_ok=True)
     command = folder / name
     command.write_text(
-        f"#!{sys.executable}\nimport sys\nfrom tfloom_rviz import {name}\nsys.exit({name}())\n", "utf-8"
+        f"""#!/bin/sh
+'''exec' "{sys.executable}" "$0" "$@"
+' '''
+import sys
+from tfloom_rviz import {name}
+sys.exit({name}())
+""",
+        "utf-8",
     )
     command.chmod(0o755)
     return command

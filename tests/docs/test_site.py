@@ -35,6 +35,7 @@ PAGES = [*ROOMS, *sorted(CHOSEN)]
 PARTS = {"bag.metadata", "bag.reading.bag_file", "bag.writing.storage"}
 """Modules of which a page has some classes, which values of others have."""
 NO_ENTRY = {
+    "bag.writing.bag_writer.open_storage_file": "used by the writer of bags",
     "robot.description.JointRange": "used by joint_state_publisher",
     "robot.description.range_of": "used by joint_state_publisher",
     "robot.urdf.UrdfError": "it is in robot.urdf_faults",

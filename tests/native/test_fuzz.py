@@ -38,7 +38,7 @@ SEEDS = {
     "fuzz_cdr": (970, 970),
     "fuzz_frozen": (3, 4),
     "fuzz_joints": (4, 4),
-    "fuzz_rtps": (3, 7),
+    "fuzz_rtps": (3, 8),
     "fuzz_tf": (7, 7),
 }
 """How many inputs of each corpus are accepted, of how many, with the one in the program."""

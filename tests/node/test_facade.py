@@ -18,9 +18,14 @@ from tools.facades import recorded
 from tfloom.rosidl.class_modules import DefinitionModule
 
 FACADE = Path(rclpy.__file__).parent
+ASYNC_MODULES = {"rclpy.experimental"}
+"""Those that need asyncio.TaskGroup, which Python 3.10 does not have."""
 MODULES = sorted(
-    ".".join(path.relative_to(FACADE.parent).with_suffix("").parts).removesuffix(".__init__")
-    for path in FACADE.rglob("*.py")
+    {
+        ".".join(path.relative_to(FACADE.parent).with_suffix("").parts).removesuffix(".__init__")
+        for path in FACADE.rglob("*.py")
+    }
+    - (ASYNC_MODULES if sys.version_info < (3, 11) else set())
 )
 
 
