@@ -31,6 +31,7 @@ class KeptTopics:
         self.logs: dict[str, TopicLog] = {}
         self.classes: dict[str, type[Any]] = {}
         self.numbers = count()
+        self.silences: dict[str, str] = {}
         self.beginnings = 0
 
     def add(self, topic: str, message: Any, stamp_ns: int = S) -> None:
@@ -52,6 +53,9 @@ class KeptTopics:
 
     def message_class(self, topic: str) -> type[Any]:
         return self.classes[topic]
+
+    def silence(self, topic: str, type_name: str) -> str:
+        return self.silences.get(topic, "")
 
     def poll(self) -> None:
         pass

@@ -13,11 +13,13 @@ from tests.spun import SpunNode, spun
 from tests.viewer.messages import cloud, header, marker, pose
 from tests.viewer.test_browser import Tab, browser, wait_until
 
-from tfloom.interfaces.geometry_msgs.msg import Point, Twist, TwistStamped, Vector3
+from tfloom.interfaces.geometry_msgs.msg import Point, TransformStamped, Twist, TwistStamped, Vector3
 from tfloom.interfaces.nav_msgs.msg import GridCells
+from tfloom.interfaces.sensor_msgs.msg import PointCloud2
 from tfloom.interfaces.std_msgs.msg import ColorRGBA
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
 from tfloom.viewer.layout.layout_file import read_layout
 
 __all__ = ["browser"]
@@ -106,6 +108,28 @@ def set_to(tab: Tab, name: str, setting: str, value: object) -> None:
 def like(tab: Tab, color: tuple[int, int, int], most: int = 60) -> int:
     """Return how many pixels are about of a colour."""
     return int((np.abs(tab.pixels() - np.array(color)).max(axis=2) < most).sum())
+
+
+def test_cloud_in_a_frame_that_nobody_publishes_says_so_in_its_row_until_it_is(
+    tab: Tab, node: SpunNode
+) -> None:
+    lost = node.node.create_publisher(PointCloud2, "/lost", LATCHED)
+    lost.publish(cloud(WALL, "nowhere"))
+    wait_until(lambda: tab.page.locator('[data-topic="/lost"]').count(), what="the row")
+    tab.click('[data-topic="/lost"] input')
+    sentence = "the cloud is in the frame `nowhere`, which nobody publishes"
+    wait_until(lambda: tab.text('[data-topic="/lost"] .status') == sentence, what="the sentence")
+    assert tab.page.is_visible('[data-topic="/lost"] .status')
+    tab.keep("cloud_in_nowhere")
+    before = tab.pixels()
+    frames = StaticTransformBroadcaster(node.node)
+    there = TransformStamped(header=header("map"), child_frame_id="nowhere")
+    there.transform.rotation.w = 1.0
+    frames.sendTransform(there)
+    wait_until(lambda: tab.text('[data-topic="/lost"] .status') == "", what="its end")
+    wait_until(lambda: (np.abs(tab.pixels() - before).max(axis=2) > 60).sum() > 500, what="the cloud")
+    tab.keep("cloud_in_a_frame")
+    node.node.destroy_publisher(lost)
 
 
 def test_cloud_is_coloured_by_an_axis_by_one_colour_and_made_transparent(tab: Tab) -> None:

@@ -354,7 +354,9 @@ def test_history_is_that_of_the_time_that_is_shown_and_a_bad_message_hides_no_ot
     stage.view.want("/wrench", settings=(("history", 3), ("force_scale", 10.0)))
     stage.topics.add("/wrench", force(0.0))
     stage.draw()
-    assert stage.status("/wrench") == "its arrows would be shorter than their width of 0.5"
+    assert stage.status("/wrench") == (
+        "the wrench can't be drawn: its arrows would be shorter than their width of 0.5"
+    )
     for second in range(2, 9):
         size = math.nan if second == 7 else float(second)
         stage.topics.add("/wrench", force(size, sec=second), second * S)

@@ -5,6 +5,7 @@
 - topic_log: the messages of one topic, from which displays, plots and the slider read
 - topics, topic_reader, recorded: those of a graph, or of a recording
 - feed, replay: what a display shows of them
+- obstacles: why it shows nothing, as a sentence
 - shared_state: what all pages share, and what follows of it
 - drawing, scene, scene_server, viser_private: viser's scene and server
 - mesh_files, mesh_places, extents: files of meshes and where they are; how far shapes reach, for cameras

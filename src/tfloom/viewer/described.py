@@ -142,6 +142,10 @@ class DescribedTopics:
             raise DisplayError(f"there is no topic {topic}")
         return String
 
+    def silence(self, topic: str, type_name: str) -> str:
+        """Return an empty text: nothing keeps a description away."""
+        return ""
+
     def poll(self) -> None:
         """Do nothing: the description is there."""
 

@@ -17,6 +17,14 @@ from tfloom.viewer.displays.kinds import Kind, make_display
 from tfloom.viewer.displays.markers import MarkerDisplay
 from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.displays.settings import Value, usual_values
+from tfloom.viewer.obstacles import (
+    MAX_STATUS,
+    PATIENCE_NS,
+    lag_text,
+    message_text,
+    thing_of,
+    transform_text,
+)
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.replay import Replay
 from tfloom.viewer.shapes import Copies, DisplayError, Placed, Points, Shape
@@ -30,8 +38,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Feed", "pose_in"]
 
-PATIENCE_NS = 1_000_000_000
-"""How long transforms may be behind a message until it is shown without them [ns]."""
 MAX_SHAPES = 4000
 """Number of shapes of one display that are drawn."""
 MAX_RUN = 5000
@@ -68,6 +74,12 @@ class Feed:
         """All of them, as the display has them."""
         self.status = self._first_status
         """What the page says of it: why it shows nothing, or not all; empty if all is shown."""
+        self.type_name = ""
+        """The type of its messages; empty without a topic."""
+        self.silence = ""
+        """Why no messages come; empty if nothing keeps them away. Whoever reads the graph sets it."""
+        self.is_published = True
+        """Whether somebody publishes the topic; set with `silence`."""
         self.has_failed = False
         self.display = make_display(kind, topic, self._values)
         self._run: list[_Taken] = []
@@ -146,7 +158,7 @@ class Feed:
         self._failed_at = None
         with contextlib.suppress(Exception):  # that may be what failed
             self._failed_at = self.newest(self._held_ns)
-        self.status = shown_text(f"it can't be shown: {fault_text(error)}")
+        self.status = shown_text(f"it can't be shown: {fault_text(error)}", MAX_STATUS)
 
     def choose(self, choice: str) -> None:
         """Choose one of the display's choices, and show the last message anew."""
@@ -190,6 +202,7 @@ class Feed:
         """
         display = self.display
         if display is None:
+            self.status = shown_text(self.silence, MAX_STATUS)
             return []  # the page asks for images itself
         self._held_ns = held_ns
         # Also after a failure, because the log keeps messages only for so long.
@@ -206,12 +219,13 @@ class Feed:
             self._take(buffer, fixed_frame, held_ns)
             is_empty = self._last is None
         if is_empty and self.kind.has_topic:
-            self.status = shown_text(self._fault or "no message at this time")
+            absence = "no message at this time" if self.is_published else "nobody publishes it"
+            self.status = shown_text(self._fault or self.silence or absence, MAX_STATUS)
             return []
         try:
             placed = self._shapes(display, now_ns)
         except DisplayError as error:
-            self.status = shown_text(str(error))
+            self.status = shown_text(str(error), MAX_STATUS)
             return []
         if self._last is not None:
             stamp_ns = self._last.stamp_ns
@@ -222,7 +236,7 @@ class Feed:
             fault = fault or f"{len(placed)} shapes, of which {MAX_SHAPES} are shown"
             placed = placed[:MAX_SHAPES]
         drawn, obstacle = self._place(buffer, fixed_frame, held_ns, placed)
-        self.status = shown_text(fault or obstacle)
+        self.status = shown_text(self.silence or fault or obstacle, MAX_STATUS)
         return drawn
 
     def _shapes(self, display: Display, now_ns: int) -> list[Placed]:
@@ -276,7 +290,7 @@ class Feed:
         if entry is None or not self._shows_several:
             display.clear()
             if entry is not None:
-                self._fault = _given(display, entry)
+                self._fault = _given(display, entry, self.kind.label)
             return
         self._run = self._taken(display, self._entries_with(entry))
         self._fault = next(taken.fault for taken in self._run if taken.key == _key(entry))
@@ -302,7 +316,7 @@ class Feed:
         now = {}
         for entry in entries:
             key = _key(entry)
-            now[key] = before.get(key) or _taken(display, entry)
+            now[key] = before.get(key) or _taken(display, entry, self.kind.label)
         kept = {taken.key: taken for taken in self._thinned(list(now.values()))}
         fresh = [taken for key, taken in kept.items() if key not in before]
         places: list[_Taken] = []
@@ -331,7 +345,8 @@ class Feed:
         if self._poses_of[0] != fixed_frame or self._poses_of[1] is not placed:
             self._poses_of = fixed_frame, placed
             self._poses.clear()
-        obstacle = ""
+        obstacle, lag = "", None
+        thing = thing_of(self.kind.label)
         drawn: list[tuple[Shape, Pose | None]] = []
         for number, part in enumerate(placed):
             pose = self._poses.get(number)
@@ -340,10 +355,13 @@ class Feed:
                     pose, is_exact = pose_in(buffer, fixed_frame, part, held_ns)
                     if is_exact:
                         self._poses[number] = pose
+                    elif lag is None and part.stamp_ns > 0:
+                        lag = lag_text(buffer, fixed_frame, part, thing)
                 except (TransformException, DisplayError) as error:
-                    obstacle = obstacle or fault_text(error)
+                    frame = part.frame_id.removeprefix("/") or fixed_frame
+                    obstacle = obstacle or transform_text(error, buffer, fixed_frame, frame, held_ns, thing)
             drawn.append((part.shape, pose))
-        return drawn, obstacle
+        return drawn, obstacle or lag or ""
 
 
 class _Taken(NamedTuple):
@@ -365,18 +383,18 @@ def _key(entry: Entry) -> tuple[int, bytes]:
     return entry.stamp_ns, entry.data
 
 
-def _given(display: Display, entry: Entry) -> str:
-    """Give a display a message; return why it can't be shown, or an empty text."""
+def _given(display: Display, entry: Entry, label: str) -> str:
+    """Give a display of a kind a message; return why it can't be shown, or an empty text."""
     try:
         display.take(entry.message(), entry.stamp_ns)
     except Exception as error:  # of one message: the next one may be good
-        return fault_text(error)
+        return message_text(error, label)
     return ""
 
 
-def _taken(display: Display, entry: Entry) -> _Taken:
+def _taken(display: Display, entry: Entry, label: str) -> _Taken:
     display.clear()
-    fault = _given(display, entry)
+    fault = _given(display, entry, label)
     return _Taken(_key(entry), [] if fault else list(display.shapes(entry.stamp_ns)), fault)
 
 

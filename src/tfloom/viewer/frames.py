@@ -23,6 +23,7 @@ __all__ = [
     "default_fixed_frame",
     "frames_at",
     "frames_behind",
+    "root_of",
     "span_of",
     "trail_of",
 ]
@@ -152,12 +153,13 @@ def default_fixed_frame(parents: Mapping[str, str | None]) -> str:
             return name
     sizes: dict[str, int] = {}
     for name in parents:
-        root = _root(parents, name)
+        root = root_of(parents, name)
         sizes[root] = sizes.get(root, 0) + 1
     return max(sorted(sizes), key=lambda root: sizes[root], default="")
 
 
-def _root(parents: Mapping[str, str | None], name: str) -> str:
+def root_of(parents: Mapping[str, str | None], name: str) -> str:
+    """Return the root of a frame's tree; of one in a loop, the last frame before it closes."""
     seen = {name}
     while (parent := parents.get(name)) is not None and parent not in seen:
         name = parent

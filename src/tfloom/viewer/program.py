@@ -521,7 +521,7 @@ class Viewer:
         self._entries = self.view.image_entries()
         for topic in self._entries:
             if (feed := self.view.feed(topic)) is not None:
-                feed.status = self._image_faults.get(topic, "")
+                feed.status = self._image_faults.get(topic, "") or feed.status
 
     def _image_of(self, topic: str) -> tuple[str, bytes] | None:
         """Return the picture of a topic at the time that is shown; on a thread of the server."""

@@ -78,6 +78,10 @@ class RecordedTopics:
             raise DisplayError(str(error)) from None
         return message_class
 
+    def silence(self, topic: str, type_name: str) -> str:
+        """Return an empty text: nothing keeps recorded messages away."""
+        return ""
+
     def poll(self) -> None:
         """Do nothing: all messages are there."""
 

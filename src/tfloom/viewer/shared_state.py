@@ -22,7 +22,7 @@ from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import LABELS, kinds_of
+from tfloom.viewer.displays.kinds import LABELS, Kind, kinds_of
 from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, SettingError, to_file, usual_values
 from tfloom.viewer.extents import Extent, extent_of
@@ -38,6 +38,7 @@ from tfloom.viewer.frames import (
     trail_of,
 )
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M, MAX_PLOT, DisplayLayout, Layout, ViewPoint
+from tfloom.viewer.obstacles import MAX_STATUS
 from tfloom.viewer.page_command import (
     MAX_TEXTS,
     PageError,
@@ -62,7 +63,6 @@ if TYPE_CHECKING:
     from tfloom.tf2.buffer import Buffer
     from tfloom.tf2_tools.diagnosis.finding import Finding
     from tfloom.tf2_tools.watch.sources import Source
-    from tfloom.viewer.displays.kinds import Kind
     from tfloom.viewer.displays.settings import Setting, Value
     from tfloom.viewer.drawing import Pose
     from tfloom.viewer.scene import Scene
@@ -87,6 +87,8 @@ MAX_FINDINGS = 100
 MAX_PARTS = 200
 """Number of a display's parts, as namespaces, that a page gets."""
 FAR_NOTE = f"further than {MAX_COORDINATE_M:g} m: not drawn"
+NO_KIND = Kind("", "", "")
+"""Of a row whose topic has no display."""
 PLOT_POINTS = 300
 """Number of points of the plot of the selected frames."""
 
@@ -149,6 +151,8 @@ class SharedView:
         """Returns a line about a selected frame, or an empty text."""
         self._wanted: dict[str, DisplayLayout] = {}
         """What to show as soon as its topic is there, by the display's name."""
+        self._refusals: dict[str, tuple[str, str]] = {}
+        """The topic, and why it could not be shown when that was asked for, by the display's name."""
         self.plots = Plots(topics, history_ns if is_live else None)
         self._with_names = True
         self._axes_m = DEFAULT_AXES_M
@@ -331,6 +335,7 @@ class SharedView:
         Raises:
             PageError: there is no such topic, or nothing shows messages of its type.
         """
+        self._refusals.pop(name, None)
         if not on:
             self._wanted.pop(name, None)
             if (feed := self._feeds.pop(name, None)) is not None:
@@ -344,7 +349,12 @@ class SharedView:
         if self._is_suspended:  # the page that asked has gone
             self._wanted[name] = wanted
             return
-        feed = self._feeds[name] = self._opened_feed(wanted)
+        try:
+            feed = self._feeds[name] = self._opened_feed(wanted)
+        except PageError as error:
+            if wanted.topic in self.topics.types():
+                self._refusals[name] = wanted.topic, str(error)
+            raise
         self._wanted.pop(name, None)
         if wanted.choice and feed.display is not None:
             feed.display.choice = wanted.choice  # what there is to choose from is known by the first message
@@ -369,6 +379,7 @@ class SharedView:
         except BaseException:
             cursor.close()
             raise
+        feed.type_name = self.topics.types().get(topic, "")
         if isinstance(feed.display, RobotDisplay):
             feed.display.near = self.near
         return feed
@@ -489,6 +500,8 @@ class SharedView:
         for name, feed in list(self._feeds.items()):
             try:
                 if feed.kind.has_topic:
+                    if self.topics.types().get(feed.topic) != feed.type_name:
+                        raise DisplayError("it has another type now, or none")  # noqa: TRY301  # as if refused
                     feed.read(self.topics.open(feed.topic))
             except Exception:  # of one topic, which is tried again: the others are read
                 self.set_display(name, on=False)
@@ -521,6 +534,15 @@ class SharedView:
             except PageError as error:
                 _print_missing(name, error)
             self._wanted.pop(name, None)
+
+    def _look_at_topics(self) -> None:
+        """Let the displays know why no messages come."""
+        types = self.topics.types()
+        self._refusals = {name: kept for name, kept in self._refusals.items() if kept[0] in types}
+        for feed in self._feeds.values():
+            if feed.kind.has_topic:
+                feed.is_published = feed.topic in types
+                feed.silence = self.topics.silence(feed.topic, feed.type_name)
 
     # What follows of it.
 
@@ -566,6 +588,7 @@ class SharedView:
             self._next_look_s = now_s + LOOK_S
             self._try("transforms can't be checked", lambda: self._look(now_s))
             self._try("displays can't be opened", self._show_wanted)
+            self._try("topics can't be checked", self._look_at_topics)
             self._try("plots can't be opened", self.plots.look)
         fixed, held_ns = self.fixed_frame, self.shown_ns(span_of(self.buffer))
         self._try("frames can't be drawn", lambda: self._draw_frames(fixed, held_ns))
@@ -735,26 +758,32 @@ class SharedView:
     def _displays(self) -> list[dict[str, Any]]:
         types = self.topics.types()
         rows = []
-        for name in sorted({*types, *self._feeds}):
-            feed = self._feeds.get(name)
-            kinds = [feed.kind] if feed is not None else kinds_of(name, types[name])
-            if not kinds:
+        for name in sorted({*types, *self._feeds, *self._refusals, *self._wanted}):
+            feed, wanted = self._feeds.get(name), self._wanted.get(name)
+            kinds = [feed.kind] if feed is not None else kinds_of(name, types.get(name, ""))
+            _, refusal = self._refusals.get(name, ("", ""))
+            status = refusal if feed is None else feed.status
+            if wanted is not None and wanted.topic not in types:
+                status = "nobody publishes it yet"
+            if not kinds and not status:
                 continue
-            kind = kinds[0]
+            kind = kinds[0] if kinds else LABELS.get(wanted.kind if wanted is not None else "", NO_KIND)
             display = None if feed is None else feed.display
             rows.append(
                 {
                     "topic": _sendable(name),
-                    "of_topic": _sendable(name if feed is None else feed.topic),
+                    "of_topic": _sendable(
+                        feed.topic if feed is not None else wanted.topic if wanted else name
+                    ),
                     "kinds": [one.label for one in kinds_of(feed.topic, types.get(feed.topic, ""))]
                     if feed
                     else [],
                     "values": {} if feed is None else feed.values,
                     "parts": [] if feed is None else list(map(_sendable, feed.parts()[:MAX_PARTS])),
                     "kind": kind.label,
-                    "on": feed is not None,
-                    "is_image": not kind.module,
-                    "status": "" if feed is None else feed.status,
+                    "on": feed is not None or wanted is not None,
+                    "is_image": feed is not None and not kind.module,
+                    "status": shown_text(status, MAX_STATUS),
                     "choices": [] if display is None else [shown_text(choice) for choice in display.choices],
                     "choice": "" if display is None else display.choice,
                 }

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 from tfloom.viewer.displays.kinds import KEPT_TYPES
+from tfloom.viewer.obstacles import qos_text
 
 if TYPE_CHECKING:
     from tfloom.rmw.base import EndpointInfo, NodeName, Participant, Reader, Sample
@@ -124,6 +125,13 @@ class TopicReader:
                     break
                 if self._is_new(sample) or len(self._readers) == 1:
                     yield sample
+
+    def silence(self) -> str:
+        """Return why no message comes from any publisher of the type that is read; empty if one is heard."""
+        if self.refusal or self._participant.graph.delivers_incompatible():
+            return self.refusal
+        heard = [end for end in self._known if end.topic.type_name == self._topic.type_name]
+        return qos_text(heard, [self._qos(request) for request in self._readers])
 
     def _is_new(self, sample: Sample) -> bool:
         # Where clocks are coarse, two messages have one stamp; of a long one, the first bytes differ, too.

@@ -14,6 +14,7 @@ from tfloom.rmw.shared.peer_types import TypeSearches
 from tfloom.rosidl import cdr
 from tfloom.rosidl.class_search import UnknownTypeError, find_class_of_kind
 from tfloom.rosidl.message import Message
+from tfloom.viewer.obstacles import other_type_text
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topic_log import TopicLog, header_stamp_ns
 from tfloom.viewer.topic_reader import TopicReader, is_latched
@@ -56,6 +57,14 @@ class Topics(Protocol):
             TypeNotYetKnownError: its type is searched for, as `poll` is called.
         """
 
+    def silence(self, topic: str, type_name: str) -> str:
+        """Return why no messages of a topic come that is read, as a sentence; empty if nothing keeps them away.
+
+        Args:
+            topic: The topic.
+            type_name: The type of the messages that are read.
+        """
+
     def poll(self) -> None:
         """Take what has come. Never waits."""
 
@@ -92,7 +101,7 @@ class LiveTopics:
 
     def types(self) -> Mapping[str, str]:
         """Return the type of each topic that is published, by its name."""
-        return {topic: writers[-1].topic.type_name for topic, writers in self._read_graph().items()}
+        return {topic: writers[0].topic.type_name for topic, writers in self._read_graph().items()}
 
     def _read_graph(self) -> Mapping[str, list[EndpointInfo]]:
         graph = self._participant.graph
@@ -157,6 +166,23 @@ class LiveTopics:
         if not (writers := self._read_graph().get(topic)):
             raise DisplayError(f"nobody publishes {topic}")
         return writers
+
+    def silence(self, topic: str, type_name: str) -> str:
+        """Return why no messages of a topic come that is read, as a sentence; empty if nothing keeps them away.
+
+        Args:
+            topic: The topic.
+            type_name: The type of the messages that are read.
+        """
+        sent = {writer.topic.type_name for writer in self._read_graph().get(topic, ())}
+        if sent and type_name not in sent:
+            return other_type_text(type_name, sorted(sent))
+        readers = (
+            reader
+            for (name, message_class), (reader, _) in self._logs.items()
+            if name == topic and type_name == message_class._TYPE_NAME
+        )
+        return next((reader.silence() for reader in readers), "")
 
     def _close(self, name: tuple[str, type[Message]]) -> None:
         if (opened := self._logs.pop(name, None)) is not None:

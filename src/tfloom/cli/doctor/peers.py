@@ -178,7 +178,7 @@ def _apart(topic: str, writers: list[EndpointInfo], readers: list[EndpointInfo])
 
     for writer in writers:
         for reader in readers:
-            if texts := differences(writer, reader):
+            if texts := differences(writer.qos, reader.qos):
                 yield f"{topic}: {_node(writer)} {_node(reader, 'and ')}: {'; '.join(texts)}"
 
 

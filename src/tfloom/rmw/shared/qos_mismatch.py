@@ -51,15 +51,14 @@ def _both_sides(topic_name: str, gid: bytes, graph: Graph, is_publisher: bool) -
 def _differences(mine: EndpointInfo, peer: EndpointInfo, is_publisher: bool) -> list[str]:
     writer, reader = (mine, peer) if is_publisher else (peer, mine)
     whose = "an unknown node" if peer.node is None else shown_part(peer.node.full)
-    return [f"{text}, peer {whose}" for text in differences(writer, reader)]
+    return [f"{text}, peer {whose}" for text in differences(writer.qos, reader.qos)]
 
 
-def differences(writer: EndpointInfo, reader: EndpointInfo) -> list[str]:
-    """Return what a writer offers and a reader requests, of each policy that keeps them apart; empty if none does."""
+def differences(offered: QoS, requested: QoS) -> list[str]:
+    """Return what is offered and what is requested of each policy that keeps them apart; empty if none does."""
     return [
-        f"offered {_show(writer.qos, reader.qos, kind.name)}, "
-        f"requested {_show(reader.qos, writer.qos, kind.name)}"
-        for kind in incompatible_policies(writer.qos, reader.qos)
+        f"offered {_show(offered, requested, kind.name)}, requested {_show(requested, offered, kind.name)}"
+        for kind in incompatible_policies(offered, requested)
     ]
 
 

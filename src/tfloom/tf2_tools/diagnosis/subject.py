@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding, Source
 from tfloom.tf2_tools.watch.model import STATIC_TOPIC, Edge, Observation, Publisher, stored_name
@@ -81,10 +81,18 @@ class Subject:
 
     def near(self, frame: str) -> str:
         """Return a hint at a known frame that is spelled alike; empty if there is none."""
-        if len(self.frames) > MAX_COMPARED_FRAMES:
-            return ""
-        names = difflib.get_close_matches(stored_name(frame), sorted(self.frames), 1, 0.6)
-        return f"; did you mean {names[0]}?" if names else ""
+        return near_frame(stored_name(frame), self.frames)
+
+
+def near_frame(frame: str, known: Collection[str]) -> str:
+    """Return a hint at one of the known frames that is spelled alike; empty if there is none, or there are too many."""
+    return _near_frame(frame, tuple(sorted(known))) if len(known) <= MAX_COMPARED_FRAMES else ""
+
+
+@lru_cache(64)  # a display that can't be drawn asks again for each picture
+def _near_frame(frame: str, known: tuple[str, ...]) -> str:
+    names = difflib.get_close_matches(frame, known, 1, 0.6)
+    return f"; did you mean {names[0]}?" if names else ""
 
 
 def is_own_parent(edge: Edge) -> bool:

@@ -187,7 +187,7 @@ function showDisplays() {
     }
     parts.box.checked = row.on;
     setText(parts.kind, row.kind);
-    setText(parts.status, row.on ? row.status : "");
+    setText(parts.status, row.status);
     parts.choice.hidden = !row.on || !row.choices.length;
     if (row.choices.length) setOptions(parts.choice, ["", ...row.choices], row.choice);
     lines.push(parts.line);
