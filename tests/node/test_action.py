@@ -24,6 +24,7 @@ from tfloom.node.action.graph import (
     get_action_server_names_and_types_by_node,
 )
 from tfloom.node.action.server import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
+from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.context import Context
 from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.endpoints.service_introspection import ServiceIntrospectionState
@@ -33,6 +34,8 @@ from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
+from tfloom.node.values.time import ClockType
+from tfloom.node.values.time import Time as RosTime
 from tfloom.rmw.local import endpoints as local_endpoints
 from tfloom.rmw.typed_names import new_goal_id
 
@@ -271,6 +274,40 @@ def test_results_expire_after_the_timeout(
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_SUCCEEDED
     spin_until(lambda: not server._goal_handles)
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_UNKNOWN
+
+
+def test_results_expire_by_simulated_time(
+    server_node: Node, client: ActionClient, finish: Finish, spin_until: Callable[..., None]
+) -> None:
+    """Where time jumps back, as of a simulation that begins again, or its source changes, the time begins anew."""
+    clock = server_node.get_clock()
+    assert isinstance(clock, ROSClock)
+    server = ActionServer(server_node, Fibonacci, "fibonacci", fibonacci, result_timeout=10.0)
+
+    def set_time(seconds: float) -> None:
+        clock.set_ros_time_override(RosTime(seconds=seconds, clock_type=ClockType.ROS_TIME))
+        spin_until(lambda: not server._expiry.has_next())
+
+    def status() -> int:
+        return int(finish(handle.get_result_async()).status)
+
+    clock.set_ros_time_is_active(True)
+    set_time(100.0)
+    handle = finish(client.send_goal_async(Fibonacci.Goal(order=1)))
+    assert status() == GoalStatus.STATUS_SUCCEEDED
+    set_time(109.0)
+    assert status() == GoalStatus.STATUS_SUCCEEDED
+    set_time(2.0)
+    set_time(11.0)
+    assert status() == GoalStatus.STATUS_SUCCEEDED
+    clock.set_ros_time_is_active(False)
+    set_time(13.0)
+    clock.set_ros_time_is_active(True)
+    set_time(15.0)
+    assert status() == GoalStatus.STATUS_SUCCEEDED
+    set_time(40.0)
+    spin_until(lambda: not server._goal_handles)
+    assert status() == GoalStatus.STATUS_UNKNOWN
 
 
 def test_blocking_calls_work_with_threads(make_node: Callable[..., Node], context: Context) -> None:

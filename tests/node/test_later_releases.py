@@ -19,7 +19,7 @@ from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node import client_library
-from tfloom.node.action.client import ActionClient
+from tfloom.node.action.client import ActionClient, ClientGoalHandle
 from tfloom.node.action.server import ActionServer, ServerGoalHandle
 from tfloom.node.clock.clock import ROSClock
 from tfloom.node.context.context import Context
@@ -27,6 +27,7 @@ from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreade
 from tfloom.node.executing.signals import SignalHandlerOptions
 from tfloom.node.executing.task import Future, FutureState
 from tfloom.node.executing.timer import TimerInfo, info_parameter
+from tfloom.node.executing.waitable import Waitable
 from tfloom.node.lifecycle.managed_entity import LifecyclePublisher
 from tfloom.node.lifecycle.node import LifecycleNode
 from tfloom.node.node import Node
@@ -34,6 +35,7 @@ from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.endpoint_info import EndpointTypeEnum, ServiceEndpointInfo
 from tfloom.node.qos.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile
 from tfloom.node.values.duration import Duration, Infinite
+from tfloom.node.values.exceptions import InvalidHandle
 from tfloom.node.values.time import ClockType, Time
 
 MakeNode = Callable[..., Node]
@@ -115,6 +117,41 @@ def test_only_an_annotated_parameter_gets_the_times() -> None:
     plain.__annotations__ = {"return": TimerInfo}
     assert info_parameter(plain) is None
     assert info_parameter(partial(partial(holder.method), 1)) == "info"
+
+
+def test_a_block_ends_what_a_node_has_created(make_node: MakeNode) -> None:
+    node = make_node("blocks")
+    ends: list[Any] = [
+        node.create_publisher(String, "texts", 1),
+        node.create_subscription(String, "texts", print, 1),
+        node.create_client(AddTwoInts, "add"),
+        node.create_service(AddTwoInts, "add", lambda _, response: response),
+        node.create_timer(10.0, print),
+    ]
+    for end in ends:
+        with end as same:
+            assert same is end
+        with pytest.raises(InvalidHandle), end.handle:
+            pass
+
+
+def test_generic_classes_take_the_types_of_annotations() -> None:
+    """At run time, too, where type variables have no defaults."""
+    types = (Fibonacci.Goal, Fibonacci.Result, Fibonacci.Feedback)
+    for generic in (ActionClient, ClientGoalHandle):
+        assert generic[types].__args__ == (*types, Any, Any)  # type: ignore[index]
+        with pytest.raises(TypeError, match="Too many"):
+            generic[(*types, *types)]  # type: ignore[index]
+
+    class Own(ActionClient[Fibonacci.Goal, Fibonacci.Result, Fibonacci.Feedback]):
+        """A class of a program."""
+
+    class OwnWaitable(Waitable[int]):
+        """Another one."""
+
+    assert issubclass(Own, ActionClient)
+    assert issubclass(OwnWaitable, Waitable)
+    assert ActionServer[types].__args__ == types  # type: ignore[index]
 
 
 def test_a_mock_is_a_timers_callback(make_node: MakeNode) -> None:

@@ -29,6 +29,7 @@ from tfloom.node.values.type_support import (
     GoalT,
     ResultResponseT,
     ResultT,
+    WithDefaults,
     check_is_valid_action_type,
     wrong_fields,
 )
@@ -67,7 +68,7 @@ MAX_ENDED = 64
 """Number of ended goals whose feedback callbacks are kept, because feedback may arrive behind the goal's end."""
 
 
-class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
+class ClientGoalHandle(WithDefaults, Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
     """The client's handle of a goal."""
 
     def __init__(
@@ -124,7 +125,7 @@ class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, Resu
         return self._client.get_result(self)
 
 
-class ActionClient(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
+class ActionClient(WithDefaults, Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
     """Sends goals to an action server.
 
     Args:

@@ -16,6 +16,7 @@ from tfloom.interfaces.action_msgs.srv import CancelGoal_Request, CancelGoal_Res
 from tfloom.interfaces.unique_identifier_msgs.msg import UUID
 from tfloom.node.action.goal_states import GoalEvent
 from tfloom.node.action.server_goal_handle import ServerGoalHandle
+from tfloom.node.clock.clock import ROSClock
 from tfloom.node.endpoints.service import ResponseFirst
 from tfloom.node.executing.entity import make_parts
 from tfloom.node.executing.executors import await_or_execute
@@ -128,8 +129,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         cancel_service_qos_profile: QoS of the service that cancels goals.
         feedback_pub_qos_profile: QoS of the feedback.
         status_pub_qos_profile: QoS of the goals' states.
-        result_timeout: Time for which the result of an ended goal is kept [s]; negative: no limit. By default 900,
-            from Kilted on 10.
+        result_timeout: Time for which the result of an ended goal is kept [s], by simulated time where the node has
+            that; negative: no limit. By default 900, from Kilted on 10.
         forget_sent_results: Whether a goal is dropped as soon as its result was sent to one client.
 
     Raises:
@@ -166,6 +167,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             raise error
         node.resolve_service_name(action_name + SEND_GOAL)  # raises here, near the program's line
         self._node = node
+        self._clock = node.get_clock()
         self._action_type: type[Any] = action_type
         timeout_s = checked_timeout("ActionServer", result_timeout)
         self._result_timeout_ns = -1 if timeout_s is None else to_nanoseconds(timeout_s)
@@ -177,7 +179,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._is_publishing_status = False
         """Whether a thread publishes the states."""
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
-        self._ended_ns: dict[bytes, int] = {}
+        self._ended: dict[bytes, tuple[bool, int]] = {}
+        """When the goals ended, as `_now` tells."""
         self._execute_callback: ExecuteCallback[GoalT, ResultT, FeedbackT] = _checked_callable(
             execute_callback, "goal execution", _no_execute_callback
         )
@@ -438,7 +441,12 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         key = key_of(goal_handle.goal_id)
         with self._lock:
             self._goal_handles.pop(key, None)
-            self._ended_ns.pop(key, None)
+            self._ended.pop(key, None)
+
+    def _now(self) -> tuple[bool, int]:
+        """Return whether time is simulated, and the time [ns]: that, or the steady clock's, which nobody sets."""
+        is_simulated = isinstance(self._clock, ROSClock) and self._clock.ros_time_is_active
+        return is_simulated, self._clock.now_ns() if is_simulated else time.monotonic_ns()
 
     def _record_end(self, key: bytes) -> None:
         if self._result_timeout_ns < 0:
@@ -446,18 +454,21 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         with self._lock:
             if key not in self._goal_handles:  # dropped before
                 return
-            self._ended_ns[key] = time.monotonic_ns()
+            self._ended[key] = self._now()
         self._drop_expired_goals()
 
     def _drop_expired_goals(self) -> None:
         """Drop the goals whose results have expired, and set the timer to the next expiry."""
-        now_ns = time.monotonic_ns()
+        is_simulated, now_ns = self._now()
         with self._lock:
-            due = [key for key, end in self._ended_ns.items() if end + self._result_timeout_ns <= now_ns]
-            for key in due:
-                self._goal_handles.pop(key, None)
-                del self._ended_ns[key]
-            oldest_ns = min(self._ended_ns.values(), default=None)
+            for key, (was_simulated, ended_ns) in list(self._ended.items()):
+                if was_simulated != is_simulated or ended_ns > now_ns:
+                    # Of another clock, or before a jump back, as when a simulation begins again: its time begins anew.
+                    self._ended[key] = (is_simulated, now_ns)
+                elif ended_ns + self._result_timeout_ns <= now_ns:
+                    self._goal_handles.pop(key, None)
+                    del self._ended[key]
+            oldest_ns = min((ended_ns for _, ended_ns in self._ended.values()), default=None)
         # One timer for all goals, set to the oldest of those that are left.
         with suppress(InvalidHandle):  # the node was destroyed while a goal was executed
             if oldest_ns is None:

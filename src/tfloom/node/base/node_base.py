@@ -514,9 +514,10 @@ class NodeBase:
         """
         only_name = value is None and descriptor is None
         declaration = (name,) if only_name else (name, value, descriptor or rcl_msg.ParameterDescriptor())
-        if (error := self.__parameters.declaration_error("", [declaration])) is not None:
+        error = self.__parameters.declaration_error("", [declaration])
+        warn_of_names_alone("", [declaration], error)
+        if error is not None:
             raise error
-        warn_of_names_alone("", [declaration])
         return self.__parameters.declare_parameters("", [declaration], ignore_override)[0]
 
     def declare_parameters(
@@ -538,9 +539,10 @@ class NodeBase:
                 type, and no dynamic typing.
             ParameterException: as from `declare_parameter`; the tuples before it in the list are then declared.
         """
-        if (error := self.__parameters.declaration_error(namespace, parameters)) is not None:
+        error = self.__parameters.declaration_error(namespace, parameters)
+        warn_of_names_alone(namespace, parameters, error)
+        if error is not None:
             raise error
-        warn_of_names_alone(namespace, parameters)
         return self.__parameters.declare_parameters(namespace, parameters, ignore_override)
 
     def undeclare_parameter(self, name: str) -> None:

@@ -20,7 +20,10 @@ from tfloom.node.values.time import ClockType, Time
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
+    from types import TracebackType
     from typing import TypeAlias
+
+    from typing_extensions import Self
 
     from tfloom._native import ReadyQueue
     from tfloom.node.context.context import Context
@@ -233,6 +236,14 @@ class Timer(CallbackEntity):
         if self._jump_handle is not None:
             self._jump_handle.unregister()
             self._jump_handle = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, t: type[BaseException] | None, v: BaseException | None, tb: TracebackType | None
+    ) -> None:
+        self.destroy()
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when the time of the next call has changed."""

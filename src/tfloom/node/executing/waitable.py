@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
+
+from tfloom.node.values.type_support import T
 
 if TYPE_CHECKING:
     from types import TracebackType
@@ -60,7 +62,7 @@ class NumberOfEntities:
         return f"{type(self).__name__}({counts})"
 
 
-class Waitable:
+class Waitable(Generic[T]):
     """Base of classes that wait for guard conditions, subscriptions and the like.
 
     `Node.add_waitable` adds it to the node's executor. On the thread that spins, the executor calls
@@ -100,11 +102,11 @@ class Waitable:
         """Return whether there is something to take and execute."""
         raise NotImplementedError("Must be implemented by subclass")
 
-    def take_data(self) -> Any:
+    def take_data(self) -> T:
         """Remove and return the data for `execute`."""
         raise NotImplementedError("Must be implemented by subclass")
 
-    async def execute(self, taken_data: Any) -> None:
+    async def execute(self, taken_data: T) -> None:
         """Process the data that `take_data` returned."""
         raise NotImplementedError("Must be implemented by subclass")
 

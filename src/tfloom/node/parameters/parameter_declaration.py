@@ -76,8 +76,18 @@ def full_name(namespace: str, name: str) -> str:
     return f"{namespace}{PARAMETER_SEPARATOR_STRING}{name}" if namespace else name
 
 
-def warn_of_names_alone(namespace: str, parameters: Sequence[tuple[Any, ...]]) -> None:
-    """Warn of tuples that have only a name, at the line that called the caller."""
+def warn_of_names_alone(
+    namespace: str, parameters: Sequence[tuple[Any, ...]], error: Exception | None
+) -> None:
+    """Warn of tuples that have only a name, at the line that called the caller.
+
+    Args:
+        namespace: Of the names.
+        parameters: The tuples.
+        error: What their declaration will raise. Of tuples that are not of their form nothing else is said.
+    """
+    if isinstance(error, (TypeError, ValueError)):
+        return
     for entry in parameters:
         if len(entry) == 1:
             warnings.warn(_name_alone(full_name(namespace, entry[0]), "deprecated"), stacklevel=3)

@@ -40,6 +40,7 @@ __all__ = [
     "SrvResponseT",
     "SrvT",
     "TypeVar",
+    "WithDefaults",
     "check_for_type_support",
     "check_is_valid_action_type",
     "check_is_valid_msg_type",
@@ -173,6 +174,21 @@ else:
         return typing.TypeVar(name, bound=bound)
 
 
+class WithDefaults:
+    """Base of generic classes that programs give fewer types than they have variables: `ActionClient[G, R, F]`.
+
+    For type checkers the variables' defaults are the others; here they have none.
+    """
+
+    if not TYPE_CHECKING:
+
+        def __class_getitem__(cls, arguments: Any) -> Any:
+            given = arguments if isinstance(arguments, tuple) else (arguments,)
+            missing = len(cls.__parameters__) - len(given)
+            return super().__class_getitem__((*given, *[Any] * missing))
+
+
+T = TypeVar("T", default=Any)
 MsgType = TypeVar("MsgType", bound=Message, default=Any)
 SrvType = TypeVar("SrvType", bound=Service, default=Any)
 SrvTypeRequest = TypeVar("SrvTypeRequest", default=Any)
