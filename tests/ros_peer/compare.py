@@ -8,6 +8,7 @@ A kind is a file of `kinds/`, which both Pythons load, and which uses only ROS's
 - `KNOWN`, if there are differences on purpose: by the id of a row of `docs/deviations.md`, a function that is given the
   case, their answer and ours, and returns whether this row explains the difference;
 - `DEFINITIONS`, if the cases use messages of which tfloom is to read the peer's definitions;
+- `RELEASES`, the names of those that are compared with, and whose contradictions tfloom then follows; otherwise Jazzy;
 - `WIRE`, if the cases need one: the RMW_IMPLEMENTATION of tfloom; otherwise the nodes stay in the process;
 - `SECONDS`, the longest time for a case [s]; otherwise MAX_CASE_S.
 
@@ -33,7 +34,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import IO, Any, NamedTuple
 
-from tools.ros_peer import NoPeerError, RosPeer, find
+from tools.ros_peer import JAZZY, RELEASES, NoPeerError, RosPeer, find
 
 HERE = Path(__file__).parent
 WORKER = HERE / "programs" / "compare_worker.py"
@@ -161,8 +162,11 @@ def compare(
         told: Called with a line about each batch.
     """
     seconds = getattr(kind, "SECONDS", MAX_CASE_S)
-    wire = getattr(kind, "WIRE", "tfloom_local")
-    ours_environment = {**os.environ, "ROS_DOMAIN_ID": str(domain), "RMW_IMPLEMENTATION": wire}
+    ours_environment = os.environ | {
+        "ROS_DOMAIN_ID": str(domain),
+        "ROS_DISTRO": peer.release.name,
+        "RMW_IMPLEMENTATION": getattr(kind, "WIRE", "tfloom_local"),
+    }
     if getattr(kind, "DEFINITIONS", False):
         ours_environment["AMENT_PREFIX_PATH"] = str(peer.python.parents[1])
     theirs = Side(peer.python, peer.environment(domain), seconds)
@@ -221,10 +225,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--domain", type=int, default=int(os.environ.get("ROS_DOMAIN_ID", "100")))
     parser.add_argument("--python", default=sys.executable, help="the Python whose tfloom is compared")
     parser.add_argument("--all", action="store_true", help="print all differences, also those of rows")
+    parser.add_argument(
+        "--release", choices=RELEASES, help="of the real rclpy (default: the first of the kind's)"
+    )
     options = parser.parse_args(arguments)
     kind = load_kind(options.kind)
+    release = options.release or next(iter(getattr(kind, "RELEASES", (JAZZY.name,))))
     try:
-        peer = find()
+        peer = find(release=RELEASES[release])
     except NoPeerError as error:
         print(error, file=sys.stderr)
         return 2

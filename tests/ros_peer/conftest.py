@@ -70,8 +70,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    """Run the tests of some files beside each release."""
-    if "peer" in metafunc.fixturenames:
+    """Run the tests of some files beside each release, if they don't say themselves beside which."""
+    chosen = [mark for mark in metafunc.definition.iter_markers("parametrize") if "peer" in mark.args[0]]
+    if "peer" in metafunc.fixturenames and not chosen:
         is_beside_all = metafunc.module.__name__.rpartition(".")[2] in ALSO_BESIDE_KILTED
         releases = (JAZZY, KILTED) if is_beside_all else (JAZZY,)
         metafunc.parametrize(
@@ -84,7 +85,9 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     tables: dict[str, dict[tuple[str, str], Counter[str]]] = {}
     for outcome in ("passed", "failed", "error", "skipped"):
         for report in terminalreporter.stats.get(outcome, []):
-            properties = dict(report.user_properties)
+            properties = dict(
+                getattr(report, "user_properties", ())
+            )  # a file that cannot be collected has none
             if "row" in properties:
                 counts = tables.setdefault(properties["release"], {})
                 cell = counts.setdefault((properties["row"], properties["direction"]), Counter())

@@ -1,17 +1,19 @@
-"""Random cases of each kind, answered by tfloom as by the real rclpy; and that a difference would be found."""
+"""The cases of each kind, answered by tfloom as by the real rclpy; and that a difference would be found."""
 
 from __future__ import annotations
 
 import importlib.util
+from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import pytest
-from tools.ros_peer import RosPeer
+from tools.ros_peer import JAZZY, RELEASES, RosPeer
 
 from .compare import KINDS, compare, load_kind, unknown_rows
 
-pytestmark = [pytest.mark.ros, pytest.mark.slow]
+pytestmark = pytest.mark.ros
 
 PURE_COUNT = 2000
 WIRE_COUNT = 100
@@ -50,9 +52,17 @@ def run(case):
 """
 
 
-@pytest.mark.parametrize("name", KINDS)
-def test_random_cases_are_answered_as_there(name: str, peer: RosPeer, domain_id: int) -> None:
-    kind = load_kind(name)
+def beside() -> Iterator[Any]:
+    """Yield each kind and each release that it is compared with; those of many cases are slow."""
+    for name in KINDS:
+        kind = load_kind(name)
+        for release in getattr(kind, "RELEASES", (JAZZY.name,)):
+            marks = () if hasattr(kind, "RELEASES") else pytest.mark.slow
+            yield pytest.param(kind, RELEASES[release], marks=marks, id=f"{name}-{release}")
+
+
+@pytest.mark.parametrize(("kind", "peer"), list(beside()), indirect=["peer"])
+def test_cases_are_answered_as_there(kind: ModuleType, peer: RosPeer, domain_id: int) -> None:
     assert unknown_rows(kind) == []
     count = WIRE_COUNT if hasattr(kind, "WIRE") else PURE_COUNT
     count = len(kind.EVERY) if hasattr(kind, "EVERY") else count
@@ -71,6 +81,7 @@ def planted_kind(folder: Path) -> ModuleType:
     return kind
 
 
+@pytest.mark.slow
 def test_each_planted_difference_is_found(peer: RosPeer, domain_id: int, tmp_path: Path) -> None:
     kind = planted_kind(tmp_path)
     differences = compare(kind, peer, count=len(kind.CASES), seed=0, domain=domain_id)
