@@ -11,6 +11,7 @@ import pytest
 
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import Int32
+from tfloom.node import implementation as _rclpy
 from tfloom.node.context.context import Context
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tfloom.node.executing.event_types import QoSPublisherEventType
@@ -19,7 +20,6 @@ from tfloom.node.executing.executor import Executor
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.waitable import NumberOfEntities, Waitable
-from tfloom.node.implementation_singleton import rclpy_implementation as _rclpy
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.exceptions import InvalidHandle, TimerCancelledError

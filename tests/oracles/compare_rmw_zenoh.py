@@ -26,8 +26,18 @@ import zenoh
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.qos import QoS
-from tfloom.rmw.zenoh.attachment import pack, unpack
-from tfloom.rmw.zenoh.tokens import End, Kind, Token, data_key, gid_of, parse_token, token_key, token_pattern
+from tfloom.rmw.zenoh.tokens import (
+    End,
+    Kind,
+    Token,
+    data_key,
+    gid_of,
+    pack_attachment,
+    parse_token,
+    token_key,
+    token_pattern,
+    unpack_attachment,
+)
 from tfloom.rosidl.cdr import encode
 
 if TYPE_CHECKING:
@@ -196,7 +206,7 @@ class _Recorder:
                     self._key("/real_add"),
                     zenoh.handlers.Callback(self._on_reply, indirect=False),
                     payload=encode(AddTwoInts.Request(a=1, b=2)),
-                    attachment=pack(7, GID),
+                    attachment=pack_attachment(7, GID),
                     target=zenoh.QueryTarget.ALL_COMPLETE,
                     consolidation=zenoh.ConsolidationMode.NONE,
                 )
@@ -218,7 +228,7 @@ class _Recorder:
         payload, attachment = self._request
         lines.append(f"request: {payload.hex()}, {_form(attachment, gids[Kind.CLIENT])}")
         reply = self._reply
-        header = unpack(reply.attachment)
+        header = unpack_attachment(reply.attachment)
         lines.append(
             f"response {reply.key_expr}: {reply.payload.to_bytes().hex()}, number {header and header.sequence_number}, "
             f"{'the' if header and header.gid == GID else 'another'} client's gid"
@@ -228,7 +238,7 @@ class _Recorder:
 
 def _form(attachment: Any, gids: set[bytes]) -> str:
     """Return what an attachment is like."""
-    header = unpack(attachment)
+    header = unpack_attachment(attachment)
     if header is None:
         return "no attachment"
     is_now = abs(header.source_stamp_ns - time.time_ns()) < TIMEOUT_S * 1e9

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from tests.conftest import run_to_end
 
-from tfloom.ros_imports.environment import ROS_ENVIRONMENT
+from tfloom.ros_imports.ros_distro import ROS_ENVIRONMENT
 
 SHOW = """
 import os

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
+from tfloom.node.turtlesim_types import Pose
 from tfloom.turtlesim.draw_square import DrawSquare, Goal
-from tfloom.turtlesim.messages import Pose
 
 
 def test_goal_is_reached_within_the_tolerance() -> None:

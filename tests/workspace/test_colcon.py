@@ -19,7 +19,7 @@ from tests.workspace.conftest import (
     write_python_package,
 )
 
-from tfloom.ros_imports.environment import ROS_ENVIRONMENT
+from tfloom.ros_imports.ros_distro import ROS_ENVIRONMENT
 
 pytestmark = pytest.mark.skipif(os.name != "posix", reason="needs bash")
 

@@ -9,7 +9,7 @@ from colcon_core.package_descriptor import PackageDescriptor
 from colcon_ros.package_identification.ros import get_package_with_build_type
 from tests.workspace.conftest import write_cmake_package, write_files, write_manifest
 
-from tfloom.ros_imports.environment import ROS_ENVIRONMENT
+from tfloom.ros_imports.ros_distro import ROS_ENVIRONMENT
 from tfloom.workspace.colcon.identification import READ_TYPE, Identification
 
 

@@ -2,8 +2,7 @@
 
 - start, quiet_imports: the entry point;  main: the table of verbs
 - launch_api: ros2launch.api;  page_programs, rqt: rviz2, joint_state_publisher_gui and rqt, which open the page
-- api/: what programs import from the packages of the other commands, as ros2topic.api
-- nodes/: a node for a block, for these and for extensions
+- api/: what programs import from the packages of the other commands, as ros2topic.api; nodes for a block
 - plugins/: commands and verbs of installed packages
 - shared/: what verbs share;  doctor/: the checks of `tfloom doctor`
 - parser, completion, tab_key: arguments, and their completion

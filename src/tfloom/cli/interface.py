@@ -9,7 +9,7 @@ import argparse
 from collections.abc import Iterable
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.shared.errors import CommandError, standard_input
 from tfloom.cli.shared.listing import print_json, print_names
@@ -104,11 +104,30 @@ def add_proto_arguments(parser: argparse.ArgumentParser) -> None:
 
 def proto_main(args: argparse.Namespace) -> int:
     """Print the default values of the interface's fields, as YAML."""
+    quote = "" if args.no_quotes else '"'
+    print(f"{quote}{interface_to_yaml(args.type)}{quote}")
+    return 0
+
+
+def interface_to_yaml(identifier: str) -> str:
+    """Return the defaults of a message, a service's request or an action's goal, as YAML.
+
+    Raises:
+        CommandError: there is no such interface.
+    """
     from tfloom.rosidl.yaml_text import message_to_yaml
 
-    quote = "" if args.no_quotes else '"'
-    print(f"{quote}{message_to_yaml(class_to_send(args.type)())}{quote}")
-    return 0
+    return message_to_yaml(class_to_send(identifier)())
+
+
+def type_completer(**_: Any) -> list[str]:
+    """Return the full names of all messages, services and actions."""
+    return known_interfaces()
+
+
+def package_name_completer(**_: Any) -> list[str]:
+    """Return the names of the packages that define interfaces."""
+    return list(interface_packages())
 
 
 def class_to_send(name: str) -> type[Message]:

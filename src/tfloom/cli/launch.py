@@ -12,7 +12,7 @@ from tfloom.cli import launch_api
 from tfloom.cli.parser import help_since
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import did_you_mean, way_to_package
-from tfloom.ros_imports.environment import set_ros_environment
+from tfloom.ros_imports.ros_distro import set_ros_environment
 from tfloom.workspace import index
 
 ALL_OUTPUT_VARIABLE = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"

@@ -15,8 +15,8 @@ from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.numbers import seconds
 from tfloom.rmw.cyclone.config import DEFAULT_RANGE
 
-GROUP = "225.0.0.1"
-PORT = 49150
+DEFAULT_GROUP = "225.0.0.1"
+DEFAULT_PORT = 49150
 MAX_DATAGRAM_SIZE = 4096
 """The largest datagram that is read [bytes]."""
 LOOPBACK = "127.0.0.1"
@@ -26,9 +26,14 @@ ANY = "0.0.0.0"  # noqa: S104  # the interface that the system chooses
 def add_common_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the flags of both."""
     parser.add_argument(
-        "--group", type=_group, default=GROUP, help=f"IPv4 multicast address (default: {GROUP})"
+        "--group",
+        type=_group,
+        default=DEFAULT_GROUP,
+        help=f"IPv4 multicast address (default: {DEFAULT_GROUP})",
     )
-    parser.add_argument("--port", type=_port, default=PORT, help=f"UDP port (default: {PORT})")
+    parser.add_argument(
+        "--port", type=_port, default=DEFAULT_PORT, help=f"UDP port (default: {DEFAULT_PORT})"
+    )
 
 
 def interface() -> str:
@@ -98,7 +103,7 @@ def receive_main(args: argparse.Namespace) -> int:
 
 
 def receive(
-    *, group: str = GROUP, port: int = PORT, timeout: float | None = None
+    *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, timeout: float | None = None
 ) -> tuple[bytes, tuple[str, int]]:
     """Return the bytes of the next datagram, and the address and port of its sender.
 
@@ -156,7 +161,9 @@ def send_main(args: argparse.Namespace) -> int:
     return 0
 
 
-def send(data: bytes, *, group: str = GROUP, port: int = PORT, ttl: int | None = None) -> None:
+def send(
+    data: bytes, *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, ttl: int | None = None
+) -> None:
     """Send a datagram, on the interface of the discovery range.
 
     Args:

@@ -12,7 +12,7 @@ from pathlib import Path
 from tfloom.cli.shared.errors import CommandError, refuse_bytes
 from tfloom.cli.shared.names import did_you_mean, way_to_package
 from tfloom.common.terminal import report
-from tfloom.ros_imports.environment import set_ros_environment
+from tfloom.ros_imports.ros_distro import set_ros_environment
 from tfloom.workspace import index
 
 

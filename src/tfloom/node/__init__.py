@@ -14,6 +14,7 @@ From the bottom up:
 - builtin/: what Node adds: rosout, time source, services of parameters, loggers and types; clients of these
 - node, client_library, program: Node; init, spin, shutdown; start and end of tfloom's programs
 - velocities: what drives a robot, and stops it at its end
+- turtlesim_types: turtlesim's interfaces, whose package differs between distributions
 - cpp_nodes: what programs that stand for nodes in C++ show
 - implementation: the names of rclpy's compiled half
 - wait_for_message: one message of a topic

@@ -24,7 +24,7 @@ from tfloom.node.executing.task import Future, future_error
 from tfloom.node.executing.temporarily_added import TemporarilyAdded
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.wrong_arguments import executor_error, node_error
-from tfloom.ros_imports.environment import set_ros_environment
+from tfloom.ros_imports.ros_distro import set_ros_environment
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -5,6 +5,5 @@
 - finder: the hook for packages that hold definitions and no Python
 - absent: the hook that explains modules that tfloom doesn't have
 - interrupted: no traceback of a program of a launch that Ctrl-C ends while it imports
-- environment: the variables that a sourced ROS sets
 - distributions: those beside tfloom; whether installed packages add anything by entry points
 """

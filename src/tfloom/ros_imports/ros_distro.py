@@ -15,7 +15,17 @@ if TYPE_CHECKING:
 
     T = TypeVar("T")
 
-__all__ = ["DISTRIBUTIONS", "REMOVED", "ROS_DISTRO", "nearest", "removal", "since", "warn_if_removed"]
+__all__ = [
+    "DISTRIBUTIONS",
+    "REMOVED",
+    "ROS_DISTRO",
+    "ROS_ENVIRONMENT",
+    "nearest",
+    "removal",
+    "set_ros_environment",
+    "since",
+    "warn_if_removed",
+]
 
 DISTRIBUTIONS = ("jazzy", "kilted", "lyrical")
 """Those that tfloom follows, from the oldest."""
@@ -43,6 +53,20 @@ def nearest(given: str) -> str:
 
 ROS_DISTRO = nearest(os.environ.get("ROS_DISTRO", ""))
 """The distribution that tfloom follows in this process."""
+
+
+ROS_ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "ROS_DISTRO": ROS_DISTRO}
+"""The variables that a sourced ROS sets: programs and conditions in package.xml ask for them."""
+
+
+def set_ros_environment() -> None:
+    """Set ROS_ENVIRONMENT for this process and those that it starts, each variable unless it has a value.
+
+    This is done where a ROS would be sourced: in the scripts that `colcon build` writes, for what `ros2 run` and
+    `ros2 launch` start, and in a program that imports tfloom's `rclpy`.
+    """
+    for name, value in ROS_ENVIRONMENT.items():
+        os.environ.setdefault(name, value)
 
 
 def since(distribution: str) -> bool:

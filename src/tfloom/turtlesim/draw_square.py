@@ -9,8 +9,8 @@ from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.std_srvs.srv import Empty
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.turtlesim_types import Pose
 from tfloom.node.velocities import Velocities, spin_driver
-from tfloom.turtlesim.messages import Pose
 from tfloom.turtlesim.world import STEP_S, is_usable, normalize_angle
 
 SIDE_M = 2.0

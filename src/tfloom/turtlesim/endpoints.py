@@ -7,9 +7,9 @@ from typing import Any
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node.endpoints.service import Service
 from tfloom.node.node import Node
+from tfloom.node.turtlesim_types import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
 from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, STATUS
 from tfloom.turtlesim import parameters
-from tfloom.turtlesim.messages import Color, Pose, SetPen, TeleportAbsolute, TeleportRelative
 from tfloom.turtlesim.rotations import ROTATE_ABSOLUTE, RotationServer
 from tfloom.turtlesim.simulation import TurtleSim
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable

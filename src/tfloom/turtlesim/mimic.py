@@ -5,8 +5,8 @@ from __future__ import annotations
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.turtlesim_types import Pose
 from tfloom.node.velocities import Velocities, spin_driver
-from tfloom.turtlesim.messages import Pose
 
 
 class Mimic(Node):

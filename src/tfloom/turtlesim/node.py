@@ -17,11 +17,11 @@ from tfloom.node.cpp_nodes import EVENT_OVERRIDING, listen_to_parameter_events
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.program import run_program
+from tfloom.node.turtlesim_types import Kill, Spawn
 from tfloom.node.values.names import NameValidationException
 from tfloom.node.values.time import ClockType
 from tfloom.turtlesim import parameters
 from tfloom.turtlesim.endpoints import TurtleEndpoints, check_names
-from tfloom.turtlesim.messages import Kill, Spawn
 from tfloom.turtlesim.record import FRAME_MS, SIDE_PX, Recorder, RecordingError, open_recorder
 from tfloom.turtlesim.rotations import RotationServer
 from tfloom.turtlesim.simulation import TurtleSim

@@ -10,8 +10,8 @@ from tfloom.node.clock.clock import Clock
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.timer import Timer
 from tfloom.node.node import Node
+from tfloom.node.turtlesim_types import RotateAbsolute
 from tfloom.node.values.time import ClockType
-from tfloom.turtlesim.messages import RotateAbsolute
 from tfloom.turtlesim.world import Rotation, Turtle, is_usable
 
 ROTATE_ABSOLUTE = "rotate_absolute"

@@ -16,9 +16,9 @@ from tfloom.node.client_library import ok, spin
 from tfloom.node.context.utilities import remove_ros_args
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.node.turtlesim_types import RotateAbsolute
 from tfloom.node.values.exceptions import ExternalShutdownException
 from tfloom.node.velocities import Velocities
-from tfloom.turtlesim.messages import RotateAbsolute
 
 BANNER = """\
 Reading from keyboard

@@ -15,7 +15,7 @@ from tfloom.common.terminal import report
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
-from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
+from tfloom.tf2_tools.diagnosis.report import diagnose
 from tfloom.tf2_tools.diagnosis.subject import Subject
 from tfloom.tf2_tools.text import matrix_from_quaternion, rpy_from_matrix, transform_text
 from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of

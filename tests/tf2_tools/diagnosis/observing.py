@@ -11,8 +11,8 @@ from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rmw.base import EndpointInfo, NodeName
 from tfloom.rosidl import cdr
 from tfloom.tf2_tools.diagnosis.catalogue import Limits
-from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
 from tfloom.tf2_tools.diagnosis.finding import Finding
+from tfloom.tf2_tools.diagnosis.report import diagnose
 from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject
 from tfloom.tf2_tools.watch.model import Description, observation_of
 

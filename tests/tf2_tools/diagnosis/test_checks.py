@@ -11,8 +11,8 @@ from tests.tf2_tools.diagnosis.observing import START_S, S, Scene
 
 from tfloom.rmw.base import EndpointInfo, NodeName, Topic
 from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
-from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
 from tfloom.tf2_tools.diagnosis.finding import Source
+from tfloom.tf2_tools.diagnosis.report import diagnose
 from tfloom.tf2_tools.diagnosis.subject import FrameUse, Subject
 
 

@@ -20,8 +20,8 @@ from tfloom.rmw.qos import QoS
 from tfloom.rmw.topic_names import request_topic, response_topic
 from tfloom.rmw.typed_names import SEND_GOAL_TYPE
 from tfloom.rosidl import cdr
-from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
 from tfloom.tf2_tools.diagnosis.live import LOOKUP_TYPE, listen, requested_frames
+from tfloom.tf2_tools.diagnosis.report import diagnose
 from tfloom.tf2_tools.diagnosis.subject import Subject, begins_with_header
 
 

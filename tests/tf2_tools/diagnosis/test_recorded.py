@@ -14,8 +14,8 @@ from tfloom.interfaces.sensor_msgs.msg import LaserScan
 from tfloom.interfaces.tf2_msgs.msg import TFMessage
 from tfloom.rosidl import cdr
 from tfloom.rosidl.message import Message
-from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
 from tfloom.tf2_tools.diagnosis.recorded import read, ros1_frame_id
+from tfloom.tf2_tools.diagnosis.report import diagnose
 
 S = 1_000_000_000
 TABLES = """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from tfloom.cli.api.answers import argument_key
-from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy, node_of
+from tfloom.cli.api.nodes import GraphNode, NodeStrategy, node_of
 from tfloom.cli.shared.names import full_name
 from tfloom.node.action import graph as action_graph
 from tfloom.rosidl.runtime import get_action

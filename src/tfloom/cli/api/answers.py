@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable, Hashable, Mapping
 from typing import Any, NamedTuple, TypeVar
 
-from tfloom.cli.nodes.strategy import GraphNode, node_of
+from tfloom.cli.api.nodes import GraphNode, node_of
 from tfloom.common.seconds import checked_timeout
 from tfloom.node.client_library import spin_until_future_complete
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from tfloom.cli.api.answers import TIMEOUT_S, Call, call_services
 from tfloom.cli.api.node import NodeName, get_node_names
+from tfloom.cli.api.nodes import GraphNode, NodeStrategy
 from tfloom.cli.component import (
     LIST,
     LOAD,
@@ -17,7 +18,6 @@ from tfloom.cli.component import (
     log_level_number,
     parameters_of,
 )
-from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.names import full_name
 from tfloom.interfaces.composition_interfaces.srv import ListNodes, LoadNode, UnloadNode

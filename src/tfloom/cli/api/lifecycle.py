@@ -7,7 +7,7 @@ from typing import Any
 
 from tfloom.cli.api.answers import TIMEOUT_S, Call, call_services
 from tfloom.cli.api.node import NodeName, parse_node_name
-from tfloom.cli.nodes.strategy import GraphNode
+from tfloom.cli.api.nodes import GraphNode
 from tfloom.cli.shared.names import full_name
 from tfloom.interfaces.lifecycle_msgs.msg import State, Transition, TransitionDescription
 from tfloom.interfaces.lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState

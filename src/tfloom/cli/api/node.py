@@ -7,8 +7,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from tfloom.cli.api.answers import argument_key
-from tfloom.cli.nodes.direct import HIDDEN_NODE_PREFIX
-from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy, node_of
+from tfloom.cli.api.nodes import HIDDEN_NODE_PREFIX, GraphNode, NodeStrategy, node_of
 from tfloom.cli.plugins.helpers import wait_for
 from tfloom.cli.shared.names import full_name
 from tfloom.node.action import graph as action_graph

@@ -7,8 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from tfloom.cli.api.node import get_absolute_node_name
-from tfloom.cli.nodes.direct import DirectNode
-from tfloom.cli.nodes.strategy import GraphNode, node_of
+from tfloom.cli.api.nodes import DirectNode, GraphNode, node_of
 from tfloom.cli.param.parameter_services import TYPES
 from tfloom.common.terminal import report
 from tfloom.interfaces.rcl_interfaces.msg import Parameter, ParameterValue

@@ -8,7 +8,7 @@ import time
 from typing import Any
 
 from tfloom.cli.api.answers import argument_key, positive_float, positive_int
-from tfloom.cli.nodes.strategy import GraphNode, NodeStrategy
+from tfloom.cli.api.nodes import GraphNode, NodeStrategy
 from tfloom.cli.shared.names import full_name
 from tfloom.node.qos.qos import (
     QoSDurabilityPolicy,

@@ -113,8 +113,7 @@ def main(args: argparse.Namespace) -> int:
         args.verb_parser.error("give one path, or --bag, not both")
     path = args.path if args.path is not None else args.bag
     from tfloom.rmw.errors import WireError
-    from tfloom.tf2_tools.diagnosis.diagnosis import diagnose
-    from tfloom.tf2_tools.diagnosis.report import Report
+    from tfloom.tf2_tools.diagnosis.report import Report, diagnose
 
     try:
         subject = _listened(args) if path is None else _read(path, args)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.node.node import Node
 from tfloom.node.program import run_program
+from tfloom.node.turtlesim_types import Pose
 from tfloom.node.velocities import Velocities, spin_driver
 
 CENTRE_M = 5.544445

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.turtlesim_types import Pose
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 
 

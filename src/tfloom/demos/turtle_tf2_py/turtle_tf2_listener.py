@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from tfloom.demos.turtle_tf2_py.messages import Spawn
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Twist
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.turtlesim_types import Spawn
 from tfloom.node.values.time import Time
 from tfloom.node.velocities import Velocities, spin_driver
 from tfloom.tf2.errors import TransformException

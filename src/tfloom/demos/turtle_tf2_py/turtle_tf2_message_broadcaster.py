@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from tfloom.demos.turtle_tf2_py.messages import Pose
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.node.client_library import spin
 from tfloom.node.node import Node
 from tfloom.node.program import expect_no_arguments, run_program
+from tfloom.node.turtlesim_types import Pose
 
 
 class PointPublisher(Node):

@@ -1,8 +1,12 @@
-"""Actions of tests: programs that are tests, one that runs until the launch ends, the sign that a launch is ready."""
+"""Actions of tests: programs that are tests, one that runs until the launch ends, the sign that a launch is ready.
+
+Also the handler that passes events on to tests.
+"""
 
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from typing import Any
 
 from tfloom.common.seconds import checked_timeout
@@ -13,11 +17,12 @@ from tfloom.launch.core.base_classes import LaunchDescriptionEntity, SomeSubstit
 from tfloom.launch.core.event import Event
 from tfloom.launch.core.launch_context import LaunchContext
 from tfloom.launch.entities.action import Action
+from tfloom.launch.entities.event_handler import BaseEventHandler
 from tfloom.launch.events.event_handlers import OnProcessStart
 from tfloom.launch.events.process import ShutdownProcess, matches_action
 from tfloom.launch.logs.logging import get_logger
 
-__all__ = ["GTest", "KeepAliveProc", "PyTest", "ReadyToTest", "Test", "TestsCanBegin"]
+__all__ = ["GTest", "KeepAliveProc", "PyTest", "ReadyToTest", "Test", "TestsCanBegin", "Watcher"]
 _PROGRAM = """\
 import signal, sys, time
 signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
@@ -140,3 +145,21 @@ def KeepAliveProc() -> ExecuteProcess:
     themselves, this one keeps the launch going.
     """
     return _KeepAlive(cmd=[sys.executable, "-S", "-c", _PROGRAM], name="keep_alive")
+
+
+class Watcher(BaseEventHandler):
+    """Calls a function with each event of a kind, and leaves the events to the other handlers.
+
+    Args:
+        kind: The kind of events.
+        function: Takes the event.
+    """
+
+    def __init__(self, kind: type[Event], function: Callable[[Any], object]) -> None:
+        super().__init__(matcher=lambda event: isinstance(event, kind))
+        self._function = function
+
+    def handle(self, event: Event, context: LaunchContext) -> None:
+        """Call the function with the event."""
+        super().handle(event, context)
+        self._function(event)

@@ -22,6 +22,8 @@ from tfloom.launch.testing.test_runner import LaunchTestRunner
 from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
+    "LaunchROSTestItem",
+    "LaunchROSTestModule",
     "LaunchTestFailure",
     "LaunchTestFailureRepr",
     "LaunchTestItem",
@@ -135,6 +137,16 @@ class LaunchTestModule(pytest.Module):
     def makeitem(self, **kwargs: Any) -> LaunchTestItem:
         """Return the item of the file."""
         return self.item_class.from_parent(**kwargs)
+
+
+class LaunchROSTestItem(LaunchTestItem):
+    """All launches of a file with nodes, and their tests, as one item of pytest: nodes need nothing more."""
+
+
+class LaunchROSTestModule(LaunchTestModule):
+    """A file with `generate_test_description` whose description has nodes."""
+
+    item_class = LaunchROSTestItem
 
 
 def find_launch_test_entrypoint(module: Any) -> Any:

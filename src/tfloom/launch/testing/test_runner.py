@@ -17,7 +17,7 @@ from tfloom.launch.events.event_handlers import OnProcessIO
 from tfloom.launch.events.launch_events import Shutdown
 from tfloom.launch.events.process import ProcessExited, ProcessStarted
 from tfloom.launch.launch_service import LaunchService
-from tfloom.launch.testing.actions import TestsCanBegin
+from tfloom.launch.testing.actions import TestsCanBegin, Watcher
 from tfloom.launch.testing.arguments import parse_launch_arguments
 from tfloom.launch.testing.assert_exit_codes import describe_exit_code
 from tfloom.launch.testing.assert_output import text_of
@@ -25,7 +25,6 @@ from tfloom.launch.testing.io_handler import ActiveIoHandler
 from tfloom.launch.testing.loader import TestRun
 from tfloom.launch.testing.proc_info_handler import ActiveProcInfoHandler
 from tfloom.launch.testing.test_result import FailResult, SkipResult, TestResult
-from tfloom.launch.testing.watcher import Watcher
 
 __all__ = ["LaunchTestRunner"]
 

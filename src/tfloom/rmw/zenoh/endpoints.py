@@ -30,14 +30,13 @@ from tfloom.rmw.qos import (
     LivelinessPolicy,
     ReliabilityPolicy,
 )
-from tfloom.rmw.zenoh.attachment import pack, unpack
 from tfloom.rmw.zenoh.config import reason_of
 from tfloom.rmw.zenoh.end import ZenohEnd
 from tfloom.rmw.zenoh.events import LostSamples, Timers
 from tfloom.rmw.zenoh.feeder import Feeder
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
 from tfloom.rmw.zenoh.library import open_library
-from tfloom.rmw.zenoh.tokens import Kind
+from tfloom.rmw.zenoh.tokens import Kind, pack_attachment, unpack_attachment
 from tfloom.rosidl.other_forms import forms_beside
 
 __all__ = ["ZenohEndpoint", "ZenohReader", "ZenohWriter"]
@@ -267,7 +266,7 @@ class ZenohWriter(ZenohEndpoint):
                 self._lease.renew()
         try:
             with signals_deferred() if self._own_readers else _NOTHING:
-                self._publisher.put(bytes(data), attachment=pack(number, self.gid))
+                self._publisher.put(bytes(data), attachment=pack_attachment(number, self.gid))
         except open_library().ZError as error:
             if self._is_closed:
                 raise ClosedError(f"cannot write to {self.info.topic.name}: its writer is closed") from None
@@ -362,7 +361,7 @@ class ZenohReader(ZenohEndpoint):
 
     def _on_sample(self, sample: Any) -> None:
         """Queue a sample; called on a thread of Zenoh, which all topics share."""
-        header = unpack(sample.attachment)
+        header = unpack_attachment(sample.attachment)
         if header is None:
             return
         data = sample.payload.to_bytes()
@@ -460,7 +459,7 @@ class ZenohReader(ZenohEndpoint):
 
         def add(reply: Any) -> None:
             sample = reply.ok
-            header = None if sample is None else unpack(sample.attachment)
+            header = None if sample is None else unpack_attachment(sample.attachment)
             if header is None or header.gid != gid:
                 return
             data = sample.payload.to_bytes()

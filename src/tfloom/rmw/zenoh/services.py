@@ -18,14 +18,13 @@ from tfloom.rmw.postponed_interrupt import uninterrupted_files
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.services import waiting_qos
 from tfloom.rmw.typed_names import GET_RESULT
-from tfloom.rmw.zenoh.attachment import pack, unpack
 from tfloom.rmw.zenoh.config import reason_of
 from tfloom.rmw.zenoh.end import ZenohEnd
 from tfloom.rmw.zenoh.endpoints import HEADER_SIZE
 from tfloom.rmw.zenoh.events import Timers
 from tfloom.rmw.zenoh.graph import Peer, ZenohGraph, peer_name
 from tfloom.rmw.zenoh.library import open_library
-from tfloom.rmw.zenoh.tokens import Kind
+from tfloom.rmw.zenoh.tokens import Kind, pack_attachment, unpack_attachment
 
 __all__ = ["ServiceEndpoint", "ZenohRequester", "ZenohResponder"]
 
@@ -249,7 +248,7 @@ class ZenohRequester(_ServiceEnd):
                 self._querier.get(
                     zenoh.handlers.Callback(self._on_reply, partial(self._on_end, number), indirect=False),
                     payload=bytes(data),
-                    attachment=pack(number, self.gid),
+                    attachment=pack_attachment(number, self.gid),
                 )
         except zenoh.ZError as error:
             self._check_open("send a request")
@@ -269,7 +268,7 @@ class ZenohRequester(_ServiceEnd):
         sample = reply.ok
         if sample is None:
             return
-        header = unpack(sample.attachment)
+        header = unpack_attachment(sample.attachment)
         if header is None or header.gid != self.gid:
             return
         data = sample.payload.to_bytes()
@@ -411,7 +410,7 @@ class ZenohResponder(_ServiceEnd):
 
     def _on_query(self, query: Any) -> None:
         """Queue a request; called on a thread of Zenoh."""
-        header = unpack(query.attachment)
+        header = unpack_attachment(query.attachment)
         payload = query.payload
         data = b"" if payload is None else payload.to_bytes()
         if header is None or len(data) < HEADER_SIZE:
@@ -463,7 +462,7 @@ class ZenohResponder(_ServiceEnd):
             query = self._queries.pop(request_id, None)
         if query is None:
             return
-        attachment = pack(request_id.sequence_number, request_id.client_gid)
+        attachment = pack_attachment(request_id.sequence_number, request_id.client_gid)
         zenoh = open_library()
         with signals_deferred():  # a client of this session is called within it
             try:

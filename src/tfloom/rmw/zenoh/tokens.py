@@ -1,4 +1,4 @@
-"""The keys of the Zenoh wire, in rmw_zenoh's form: of data, and of the liveliness tokens that make up the graph.
+"""What the Zenoh wire has in rmw_zenoh's form: keys of data, liveliness tokens, which make up the graph, attachments.
 
 `65/chatter/std_msgs::msg::dds_::String_/RIHS01_…` carries the samples of a topic, or the requests of a service.
 `@ros2_lv/<domain>/<zid>/<node>/<entity>/<kind>/<enclave>/<namespace>/<name>` describes a node; four more chunks, the
@@ -7,8 +7,10 @@ name, type, hash and quality of service, describe an endpoint.
 
 from __future__ import annotations
 
+import struct
+import time
 from enum import Enum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from tfloom.rmw.base import NodeName
 from tfloom.rmw.errors import NoBackendError
@@ -25,17 +27,20 @@ from tfloom.rmw.topic_names import type_from_dds, type_to_dds
 __all__ = [
     "DEFAULT_DEPTH",
     "PREFIX",
+    "Attachment",
     "End",
     "Kind",
     "Token",
     "TokenError",
     "data_key",
     "gid_of",
+    "pack_attachment",
     "parse_qos",
     "parse_token",
     "qos_text",
     "token_key",
     "token_pattern",
+    "unpack_attachment",
     "wire_qos",
 ]
 
@@ -265,3 +270,34 @@ def _mangled(name: str) -> str:
 
 def _demangled(chunk: str) -> str:
     return chunk.replace("%", "/")
+
+
+GID_SIZE = 16
+_ATTACHMENT = struct.Struct(f"<qqB{GID_SIZE}s")
+
+
+class Attachment(NamedTuple):
+    """The number and time of a sample and its writer; of a response, the number and client of its request."""
+
+    sequence_number: int
+    """From 1."""
+    source_stamp_ns: int
+    """By the writer's clock [ns since epoch]."""
+    gid: bytes
+    """16 bytes."""
+
+
+def pack_attachment(sequence_number: int, gid: bytes) -> bytes:
+    """Return the bytes of an attachment, with the time of now."""
+    return _ATTACHMENT.pack(sequence_number, time.time_ns(), GID_SIZE, gid)
+
+
+def unpack_attachment(attachment: Any) -> Attachment | None:
+    """Return what a `zenoh.ZBytes` from the wire holds, or None. Bytes that follow are ignored."""
+    if attachment is None:
+        return None
+    data = attachment.to_bytes()
+    if len(data) < _ATTACHMENT.size:
+        return None
+    sequence_number, stamp_ns, size, gid = _ATTACHMENT.unpack_from(data)
+    return Attachment(sequence_number, stamp_ns, gid) if size == GID_SIZE else None

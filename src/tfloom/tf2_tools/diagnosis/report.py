@@ -1,20 +1,45 @@
-"""The report of a diagnosis, as text and as JSON's values."""
+"""A diagnosis: all checks of a subject, and the report of what they found, as text and as JSON's values."""
 
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
-from tfloom.tf2_tools.diagnosis.catalogue import GROUPS, Kind, Severity
+from tfloom.tf2_tools.diagnosis.catalogue import GROUPS, Kind, Limits, Severity
 from tfloom.tf2_tools.diagnosis.finding import Finding
+from tfloom.tf2_tools.diagnosis.name_checks import check_names
+from tfloom.tf2_tools.diagnosis.rate_checks import check_rates
 from tfloom.tf2_tools.diagnosis.subject import Subject
+from tfloom.tf2_tools.diagnosis.time_checks import check_stamps
+from tfloom.tf2_tools.diagnosis.topic_checks import check_topics, check_uses
+from tfloom.tf2_tools.diagnosis.tree_checks import check_tree
+from tfloom.tf2_tools.diagnosis.value_checks import check_values
 from tfloom.tf2_tools.text import counted
 
+CHECKS = (check_tree, check_names, check_values, check_stamps, check_rates, check_topics, check_uses)
 SHOWN = 5
 """Number of lines of evidence that the text has of one finding."""
 MAX_WIDTH = 110
 INDENT = " " * 9
+
+
+def diagnose(subject: Subject, limits: Limits | None = None, ignored: Collection[str] = ()) -> list[Finding]:
+    """Return the findings on a subject, the errors first, each in order of their codes.
+
+    Args:
+        subject: What to check.
+        limits: The thresholds; None: the usual ones.
+        ignored: Codes of findings to leave out.
+    """
+    limits = limits or Limits()
+    findings = [
+        finding for check in CHECKS for finding in check(subject, limits) if finding.code not in ignored
+    ]
+    return sorted(
+        findings,
+        key=lambda finding: (finding.kind.severity is not Severity.ERROR, finding.code, finding.summary),
+    )
 
 
 class Report(NamedTuple):

@@ -10,7 +10,7 @@ from colcon_core.environment import EnvironmentExtensionPoint
 from colcon_core.shell import ShellExtensionPoint
 
 from tfloom.common.files import write_file
-from tfloom.ros_imports.environment import ROS_ENVIRONMENT
+from tfloom.ros_imports.ros_distro import ROS_ENVIRONMENT
 
 __all__ = ["QuotedPython"]
 

@@ -10,7 +10,7 @@ from colcon_core.package_descriptor import PackageDescriptor
 from colcon_core.package_identification import PackageIdentificationExtensionPoint
 from colcon_ros.package_identification.ros import get_package_with_build_type
 
-from tfloom.ros_imports.environment import set_ros_environment
+from tfloom.ros_imports.ros_distro import set_ros_environment
 from tfloom.workspace.missing_dependencies import IGNORE_MARKERS
 from tfloom.workspace.package_faults import find_manifest_fault, find_setup_fault, name_in_manifest
 

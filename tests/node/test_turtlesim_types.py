@@ -1,4 +1,4 @@
-"""turtlesim's interfaces have the package name of the distribution, and who uses the other name is told."""
+"""turtlesim's interfaces have the package name of the distribution, and a user of the other name is told so."""
 
 from __future__ import annotations
 
@@ -10,10 +10,9 @@ from typing import Any
 import pytest
 from tests.conftest import wait_until
 
-import tfloom.demos.turtle_tf2_py.messages as theirs
-import tfloom.turtlesim.messages as ours
 from tfloom.interfaces.turtlesim.srv import Spawn
 from tfloom.interfaces.turtlesim_msgs.srv import Spawn as SpawnSinceKilted
+from tfloom.node import turtlesim_types
 from tfloom.node.endpoints import client as clients
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.ros_imports import ros_distro
@@ -24,8 +23,7 @@ SERVED = "/spawn is served as turtlesim_msgs/srv/Spawn, not as turtlesim/srv/Spa
 @pytest.mark.parametrize("package", ["turtlesim", "turtlesim_msgs"])
 def test_package_name_depends_on_the_distribution(package: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ros_distro, "TURTLESIM_PACKAGE", package)
-    for module in (ours, theirs):
-        assert f"{package}/msg/Pose" == runpy.run_path(module.__file__)["Pose"]._TYPE_NAME
+    assert f"{package}/msg/Pose" == runpy.run_path(turtlesim_types.__file__)["Pose"]._TYPE_NAME
 
 
 def test_client_of_the_other_type_is_told_the_type(

@@ -1,4 +1,8 @@
-"""turtlesim's interfaces, by their name in the distribution that is followed (`ros_imports/ros_distro.py`)."""
+"""turtlesim's interfaces, by their name in the distribution that is followed (`ros_imports/ros_distro.py`).
+
+They are here because the simulator, the demos and their programs use them, and rooms of one shelf do not import each
+other.
+"""
 
 from __future__ import annotations
 

@@ -1,1 +1,0 @@
-"""Nodes for plug-ins of the command and for programs: on the graph for a block, with discovery complete."""
