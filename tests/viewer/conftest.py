@@ -47,6 +47,8 @@ collect_ignore = (
         "test_browser.py",
         "test_inline.py",
         "test_open_ports.py",
+        "test_page_scenes.py",
+        "test_scene_in_browser.py",
         "test_viser_private.py",
     ]
 )

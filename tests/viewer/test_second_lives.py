@@ -179,8 +179,9 @@ def test_frames_names_arrows_and_marks_come_again_after_they_were_gone(stage: St
         assert len(stage.node("/frames/axes").batched_positions) == 2
         assert len(stage.node("/frames/stale").points) == 3
         assert len(stage.node("/frames/arrows").points) == 2
-        labels = [node for number in range(9) if (node := stage.node(f"/frames/names/{number}")) is not None]
-        assert sorted(label.text for label in labels) == ["a", "b", "c (stale)"]
+        assert [scene.named.text_of(name) for name in scene.named.poses.names] == ["a", "b", "c (stale)"]
+        places = scene.places({"a", "c"})
+        assert stage.node(places["c"]).position == pytest.approx([6.0, 7.0, 8.0])
         assert len(stage.node("/marks").points) == 24
         assert stage.node("/selection") is not None
         scene.draw_frames(frames(), set(), with_names=True)
@@ -188,8 +189,9 @@ def test_frames_names_arrows_and_marks_come_again_after_they_were_gone(stage: St
         scene.draw_selection([])
         for name in ("/frames/axes", "/frames/stale", "/frames/arrows", "/marks", "/selection"):
             assert stage.node(name) is None
-        assert not [number for number in range(9) if stage.node(f"/frames/names/{number}") is not None]
-    assert scene._name_count == 3  # nodes' names are used again
+        assert scene.named.poses.names == []
+        assert scene.places(set()) == {}
+    assert [number for number in range(9) if stage.node(f"/frames/names/{number}")] == [0, 1]  # used again
 
 
 def test_axes_of_another_length_are_other_nodes_at_the_same_places(stage: Stage) -> None:

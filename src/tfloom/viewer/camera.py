@@ -1,14 +1,19 @@
-"""From a place on the screen to a place on the floor."""
+"""From a place on the screen to a place on the floor, and from places to the screen."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
 
 from tfloom.tf2.transform import Transform
 
-__all__ = ["Camera", "floor_point", "is_usable"]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["Camera", "direction_of", "floor_point", "is_usable", "projected"]
 
 MAX_DISTANCE_M = 1e4
 """A point on the floor that is further away is none: the ray is all but parallel to the floor."""
@@ -51,8 +56,8 @@ def is_usable(
     )
 
 
-def floor_point(camera: Camera, across: float, down: float) -> tuple[float, float] | None:
-    """Return the point of the plane z = 0 that a place on the screen shows (x, y) [m]; None if it shows none.
+def direction_of(camera: Camera, across: float, down: float) -> tuple[float, float, float]:
+    """Return the direction in which a place on the screen is seen, 1 long along the camera's axis.
 
     Args:
         camera: The camera.
@@ -61,7 +66,35 @@ def floor_point(camera: Camera, across: float, down: float) -> tuple[float, floa
     """
     half = math.tan(camera.fov_rad / 2.0)
     ray = ((2.0 * across - 1.0) * half * camera.aspect, (2.0 * down - 1.0) * half, 1.0)
-    x, y, z = Transform(rotation_xyzw=camera.rotation_xyzw).apply(ray)
+    return Transform(rotation_xyzw=camera.rotation_xyzw).apply(ray)
+
+
+def projected(camera: Camera, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return where points are on the screen (N, 3): across and down, as of `direction_of`, and how far ahead [m].
+
+    Args:
+        camera: The camera.
+        points: (N, 3) [m]. Those that are not ahead of the camera have no place: across and down are NaN.
+    """
+    turned = Transform(rotation_xyzw=camera.rotation_xyzw)
+    axes = np.array([turned.apply(axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))])
+    seen = (points - np.array(camera.position)) @ axes.T
+    half = math.tan(camera.fov_rad / 2.0)
+    ahead_m = np.where(seen[:, 2] > 0.0, seen[:, 2], np.nan)
+    across = (seen[:, 0] / ahead_m / (half * camera.aspect) + 1.0) / 2.0
+    down = (seen[:, 1] / ahead_m / half + 1.0) / 2.0
+    return np.stack([across, down, seen[:, 2]], axis=1)
+
+
+def floor_point(camera: Camera, across: float, down: float) -> tuple[float, float] | None:
+    """Return the point of the plane z = 0 that a place on the screen shows (x, y) [m]; None if it shows none.
+
+    Args:
+        camera: The camera.
+        across: From 0 at the left edge to 1 at the right edge.
+        down: From 0 at the upper edge to 1 at the lower edge.
+    """
+    x, y, z = direction_of(camera, across, down)
     if z * camera.position[2] >= 0.0:  # the ray leaves the floor behind, or the camera is within it
         return None
     factor = -camera.position[2] / z

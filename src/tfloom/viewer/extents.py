@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from tfloom.viewer.drawing import Pose
 
-__all__ = ["Extent", "extent_of", "view_of"]
+__all__ = ["Extent", "corners_of", "extent_of", "view_of"]
 
 MAX_NODES = 10_000
 """Number of nodes of a file of glTF that are looked at."""
@@ -57,7 +57,7 @@ def extent_of(
     """
     parts = [points]
     for shape, pose in drawn:
-        if pose is not None and (corners := _corners(shape)) is not None:
+        if pose is not None and (corners := corners_of(shape)) is not None:
             moved = Transform(*pose)
             parts.append(np.array([moved.apply(corner) for corner in corners.tolist()]))
     together = np.concatenate(parts)
@@ -89,7 +89,7 @@ def view_of(
     return ViewPoint((x, y, z), (at_x, at_y, at_z))
 
 
-def _corners(shape: shapes.Shape) -> NDArray[np.float64] | None:
+def corners_of(shape: shapes.Shape) -> NDArray[np.float64] | None:
     """Return points around a shape in its own frame (N, 3) [m]; None without any."""
     points = _POINTS[type(shape)](shape)
     if points is None or not len(points):

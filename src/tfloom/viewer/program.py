@@ -23,6 +23,7 @@ from tfloom.viewer.live_only import empty_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
 from tfloom.viewer.page_command import PageError, fault_text, number, text
+from tfloom.viewer.page_scenes import SCENE_COMMANDS, PageScenes
 from tfloom.viewer.page_server import CLOSED, PageServer
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
@@ -67,6 +68,8 @@ TICK_S = 0.5
 
 LIVE_COMMANDS = FORM_COMMANDS | {"floor", "drive", "graph", "parameters", "set_parameter"}
 """Commands that a recording has nobody for."""
+LISTS = frozenset(("settings", "plot_topics", "plot_csv", "plot_fields"))
+"""Commands that are answered with a list."""
 AT_ONCE = FORM_COMMANDS | {"drive"}
 """Commands that other threads do, for which nobody waits until a picture is drawn."""
 
@@ -144,6 +147,7 @@ class Viewer:
             fixed_frame=fixed_frame,
             report=self._note_once,
         )
+        self._scenes = PageScenes(self._server, self.view, scene, self._note_once)
         if joints is not None:
             self.view.about = joints.about
         self.pages = PageServer(self._server, self._queue_command, self._image_of)
@@ -232,6 +236,7 @@ class Viewer:
             next_draw_s = max(next_draw_s + 1.0 / DRAW_HZ, now_s + 0.5 / DRAW_HZ)
             with self._server.atomic():
                 self.view.draw()
+            self._try("the scenes of pages can't be drawn", self._scenes.draw)
             self._try("images can't be shown", self._note_images)
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
@@ -328,14 +333,10 @@ class Viewer:
             self._save_layout(page, for_rviz=command.get("form") == "rviz")
         elif operation in {"fit", "joint", "pose"}:
             self._show_robot(page, operation, command)
-        elif operation == "settings":
-            self.pages.answer(page, {"settings": described_settings()})
-        elif operation == "plot_topics":
-            self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
-        elif operation == "plot_csv":
-            self.pages.answer(page, {"plot_csv": self.view.plot_csv(command)})
-        elif operation == "plot_fields":
-            self._list_fields(page, text(command, "topic"))
+        elif operation in SCENE_COMMANDS:
+            self._scenes.command(page, operation, command)
+        elif operation in LISTS:
+            self._list(page, operation, command)
         elif operation not in LIVE_COMMANDS:
             self.view.command(command)
         elif self._live is None:
@@ -343,6 +344,17 @@ class Viewer:
             raise PageError(f"this is a {what}: there is nobody to ask")
         else:
             self._run_live_command(self._live, page, operation, command)
+
+    def _list(self, page: str, operation: str, command: Mapping[str, Any]) -> None:
+        """Give a page what it lists."""
+        if operation == "settings":
+            self.pages.answer(page, {"settings": described_settings()})
+        elif operation == "plot_topics":
+            self.pages.answer(page, {"plot_topics": self.view.plots.topics()})
+        elif operation == "plot_csv":
+            self.pages.answer(page, {"plot_csv": self.view.plot_csv(command)})
+        else:
+            self._list_fields(page, text(command, "topic"))
 
     def _follow_page(self, page: str, operation: str) -> None:
         """Note what a page is to be given as soon as it is known, or that the page was closed."""
@@ -355,6 +367,7 @@ class Viewer:
             self._unplaced.discard(page)
             self._unfitted.pop(page, None)
             self._settling.pop(page, None)
+            self._scenes.forget(page)
 
     def _show_robot(self, page: str, operation: str, command: Mapping[str, Any]) -> None:
         """Let a page see all there is, or move joints.

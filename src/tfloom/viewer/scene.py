@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tfloom.viewer.drawing import Drawn, Pose, shown_name
+from tfloom.viewer.frames import FramePoses
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M
 from tfloom.viewer.page_command import fault_text
 from tfloom.viewer.shapes import Shape
@@ -18,14 +19,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
     from viser import SceneApi
 
-    from tfloom.viewer.frames import FramePoses
+__all__ = ["NamedFrames", "Scene"]
 
-__all__ = ["Scene"]
-
-MAX_NAMES = 300
-"""Number of frames up to which their names are drawn."""
 MOVED_M = 1e-6
-"""A name that has moved less stays where it is [m]."""
+"""The place of a name that has moved less stays where it is [m]."""
 YELLOW = (255, 205, 60)
 GREY = (120, 120, 125)
 CYAN = np.array((80, 230, 255), np.uint8)
@@ -36,6 +33,18 @@ BOX_EDGES = np.array(
 )
 """Start and end of the edges of a cube from -1 to 1: (12, 2, 3)."""
 TRAIL_COLORS = ((255, 90, 200), (90, 220, 255), (255, 160, 60), (140, 255, 110), (190, 150, 255))
+
+
+class NamedFrames(NamedTuple):
+    """Frames whose names may be shown."""
+
+    poses: FramePoses = FramePoses([], np.empty((0, 3)), np.empty((0, 4)), np.empty(0, np.int64))
+    behind: Collection[str] = frozenset()
+    """The names of those whose pose is out of date."""
+
+    def text_of(self, name: str) -> str:
+        """Return the text of a label."""
+        return shown_name(name) + (" (stale)" if name in self.behind else "")
 
 
 class Scene:
@@ -54,11 +63,11 @@ class Scene:
         self._axes_names: list[str] = []
         self._grey: Any = None
         self._arrows: Any = None
-        self._names: dict[str, tuple[Any, str]] = {}
-        """Each frame's label and its text."""
-        self._name_positions: dict[str, NDArray[np.float64]] = {}
-        self._free_names: list[str] = []
-        self._name_count = 0
+        self.named = NamedFrames()
+        """The frames whose names pages may show."""
+        self._places: dict[str, Any] = {}
+        """The node at each frame at which a page shows its name."""
+        self._free_places: list[Any] = []
         self._trails: dict[str, Any] = {}
         self._trail_numbers: dict[str, int] = {}
         """The number in the name of each trail's node, by the frame's name."""
@@ -100,7 +109,7 @@ class Scene:
         Args:
             poses: The frames.
             behind: The names of those that are out of date.
-            with_names: Whether to draw their names.
+            with_names: Whether pages may show their names.
             axes_m: Length of their axes [m].
             with_axes: Whether to draw their axes.
             with_arrows: Whether to draw arrows to their parents.
@@ -115,7 +124,8 @@ class Scene:
         self._draw_axes(poses, ~is_behind & with_axes, axes_m)
         self._draw_grey_axes(poses, is_behind & with_axes, axes_m)
         self._draw_arrows(poses, is_behind, axes_m, is_shown=with_arrows)
-        self._draw_names(poses, behind, is_shown=with_names and len(poses.names) <= MAX_NAMES)
+        self.named = NamedFrames(poses, behind) if with_names else NamedFrames()
+        self._move_places()
 
     def _draw_axes(self, poses: FramePoses, is_fresh: NDArray[np.bool_], axes_m: float) -> None:
         names = [name for name, fresh in zip(poses.names, is_fresh, strict=True) if fresh]
@@ -176,29 +186,31 @@ class Scene:
         if self._arrows is not None and not np.array_equal(self._arrows.colors, colors):
             self._arrows.colors = colors
 
-    def _draw_names(self, poses: FramePoses, behind: Collection[str], *, is_shown: bool) -> None:
-        shown = dict(zip(poses.names, poses.positions, strict=True)) if is_shown else {}
-        for name in [name for name in self._names if name not in shown]:
-            handle, _ = self._names.pop(name)
-            del self._name_positions[name]
-            self._free_names.append(handle.name)
-            handle.remove()
-        for name, position in shown.items():
-            text = shown_name(name) + (" (stale)" if name in behind else "")
-            handle, before = self._names.get(name, (None, ""))
-            if handle is None:
-                # Nodes' names are used again: the scene keeps a note of each that was ever removed.
-                node = self._free_names.pop() if self._free_names else f"/frames/names/{self._name_count}"
-                self._name_count += node.endswith(f"/{self._name_count}")
-                handle = self._scene.add_label(node, text, position=position, anchor="bottom-left")
-            elif text != before:
-                handle.text = text
-            if np.abs(position - self._name_positions.get(name, position)).max() > MOVED_M:
-                handle.position = position
-            elif name in self._name_positions:
-                continue
-            self._name_positions[name] = position
-            self._names[name] = handle, text
+    def places(self, names: Collection[str]) -> dict[str, str]:
+        """Have a node at each of some frames, to which pages attach names; return the nodes' names.
+
+        A name that is a node below one of these moves in the same picture as the axes do, on all pages.
+        """
+        for name in [name for name in self._places if name not in names]:
+            self._free_places.append(self._places.pop(name))
+        for name in names:
+            if name not in self._places:
+                # Nodes are used again: the scene keeps a note of each that was ever removed.
+                number = len(self._places) + len(self._free_places)
+                self._places[name] = (
+                    self._free_places.pop()
+                    if self._free_places
+                    else self._scene.add_frame(f"/frames/names/{number}", show_axes=False)
+                )
+        self._move_places()
+        return {name: place.name for name, place in self._places.items()}
+
+    def _move_places(self) -> None:
+        positions = dict(zip(self.named.poses.names, self.named.poses.positions, strict=True))
+        for name, place in self._places.items():
+            position = positions.get(name)
+            if position is not None and np.abs(position - place.position).max() > MOVED_M:
+                place.position = position
 
     def draw_trails(self, trails: Mapping[str, NDArray[np.float64]]) -> None:
         """Draw the ways of frames: points (N, 3) [m] by the frame's name."""

@@ -21,7 +21,7 @@ from tfloom.viewer.layout.layout import ViewPoint
 from tfloom.viewer.viser_private import connections_of, open_connections
 
 if TYPE_CHECKING:
-    from viser import SceneApi
+    from viser import ClientHandle, SceneApi
 
 __all__ = ["KEY_HEADER", "PAGE_HEADER", "SceneServer"]
 
@@ -48,6 +48,8 @@ class SceneServer:
         """Viser's number of the client of each page."""
         # What viser warns of there is in the words of a page; as an error, it makes the message one that can't be read.
         warnings.filterwarnings("error", module=r"viser\.infra\._messages")
+        # A page may close at any time, also while something is queued for it.
+        warnings.filterwarnings("ignore", "Queued a .* on a closed connection")
         with _without_words():  # it would print its address, which is nobody's business
             self._server = viser.ViserServer(host=self.inner.host, port=0, verbose=False)
         self.inner.close_to_others(self._server.get_port())
@@ -82,9 +84,17 @@ class SceneServer:
         content = page.read_bytes().replace(b"<head>", b"<head><script>" + script + b"</script>", 1)
         return content.replace(b"</head>", _STYLE + b"</head>", 1)
 
+    def client(self, page: str) -> ClientHandle | None:
+        """Return viser's client of a page; None until it has told its camera, or when it is gone."""
+        return self._server.get_clients().get(self._clients.get(page, -1))
+
+    def pages(self) -> list[str]:
+        """Return the pages that have, or had, a scene."""
+        return list(self._clients)
+
     def camera(self, page: str) -> Camera | None:
         """Return the camera of a page; None until it has told it."""
-        client = self._server.get_clients().get(self._clients.get(page, -1))
+        client = self.client(page)
         if client is None:
             return None
         state = client.camera
@@ -94,7 +104,7 @@ class SceneServer:
 
     def view_point(self, page: str) -> ViewPoint | None:
         """Return from where a page looks, and to where; None until it has told it."""
-        client = self._server.get_clients().get(self._clients.get(page, -1))
+        client = self.client(page)
         if client is None:
             return None
         px, py, pz = (float(part) for part in client.camera.position)
@@ -103,7 +113,7 @@ class SceneServer:
 
     def look(self, page: str, view_point: ViewPoint) -> bool:
         """Let a page look from a point to another one; return whether it was there to be told."""
-        client = self._server.get_clients().get(self._clients.get(page, -1))
+        client = self.client(page)
         if client is None:
             return False
         client.camera.position = np.array(view_point.position)

@@ -610,6 +610,34 @@ class SharedView:
                 feed.fail(error)
                 self._try(f"{topic} can't be taken away", partial(self._scene.draw_display, topic, []))
 
+    @property
+    def selected(self) -> list[str]:
+        """The selected frames."""
+        return list(self._selected)
+
+    @property
+    def poses(self) -> FramePoses:
+        """The frames, in the fixed one."""
+        return self._poses
+
+    @property
+    def axes_m(self) -> float:
+        """Length of a frame's axes [m]."""
+        return self._axes_m
+
+    @property
+    def drawn(self) -> Mapping[str, list[tuple[Shape, Pose | None]]]:
+        """What each display shows, with the poses of its shapes in the fixed frame."""
+        return self._drawn
+
+    def parts_of(self, display: str, index: int) -> list[tuple[Shape, Pose | None]]:
+        """Return the shapes of what one of a display's is a part of: those of its link, or itself."""
+        shapes, feed = self._drawn[display], self._feeds.get(display)
+        frames = feed.frames() if feed is not None else ()
+        if index >= len(frames):
+            return [shapes[index]]
+        return [shape for shape, frame in zip(shapes, frames, strict=False) if frame == frames[index]]
+
     def extent(self) -> Extent | None:
         """Return the box around all that is shown, in the fixed frame; None where nothing is."""
         drawn = itertools.chain.from_iterable(

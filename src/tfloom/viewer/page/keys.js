@@ -5,6 +5,7 @@ const TOOL_KEYS = { KeyM: "", KeyG: "goal", KeyP: "initial", KeyC: "point", KeyV
 const KEY_TEXTS = [
   ["M", "move: turn, shift and zoom"], ["G", "goal pose"], ["P", "initial pose"], ["C", "point"], ["V", "drive"],
   ["arrows, W A S D", "drive ahead, back and around, while V is chosen"], ["F", "see all that is shown"],
+  ["double click", "see all of what is at this place"],
   ["space", "play or pause a recording; the newest time of a graph"], ["Esc", "select no frame, and move"], ["?", "this list"],
 ];
 

@@ -1,0 +1,190 @@
+"""The scene's own controls in a real browser: names that don't overlap, what the camera sees, cameras, measuring."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from tests.viewer.messages import header, marker, pose
+from tests.viewer.test_browser import Tab, browser, wait_until
+
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.std_msgs.msg import ColorRGBA
+from tfloom.interfaces.visualization_msgs.msg import Marker
+from tfloom.node.node import Node
+from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
+from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.viewer.camera import projected
+from tfloom.viewer.picking import frame_at
+from tfloom.viewer.program import Viewer
+
+__all__ = ["browser"]
+# A browser that draws without a graphics card takes a core for itself: beside compilers it would take minutes.
+pytestmark = [pytest.mark.slow, pytest.mark.timing]
+
+WHITE = 200
+"""Least brightness of a label's background."""
+
+
+def transform(child: str, x: float, y: float = 0.0, z: float = 0.0) -> TransformStamped:
+    message = TransformStamped(header=header("map", 1), child_frame_id=child)
+    message.transform.translation.x, message.transform.translation.y, message.transform.translation.z = (
+        x,
+        y,
+        z,
+    )
+    message.transform.rotation.w = 1.0
+    return message
+
+
+@pytest.fixture
+def open_tab(browser: Any, viewer: Viewer, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str], Tab]]:
+    monkeypatch.setenv("TFLOOM_DPR", "1")
+    tabs: list[Tab] = []
+
+    def open_one(query: str = "") -> Tab:
+        tabs.append(Tab(browser, viewer.pages.address, query))
+        return tabs[-1]
+
+    yield open_one
+    for tab in tabs:
+        tab.page.close()
+        assert tab.faults == []
+
+
+def boxes_of(pixels: np.ndarray) -> list[tuple[int, int, float]]:
+    """Return the width and the height of each label, and which part of its box is filled."""
+    from scipy import ndimage
+
+    white = ndimage.binary_fill_holes(pixels.min(axis=2) > WHITE)  # the letters are dark
+    labelled, count = ndimage.label(white)
+    found = []
+    for number, (rows, columns) in enumerate(ndimage.find_objects(labelled), 1):
+        height, width = rows.stop - rows.start, columns.stop - columns.start
+        if height > 6 and width > 6:
+            found.append((width, height, float((labelled[rows, columns] == number).mean())))
+    assert count >= len(found)
+    return found
+
+
+def assert_apart(tab: Tab, least: int) -> None:
+    """Wait for so many labels at least, and assert that none overlaps another: each is a box of one line."""
+    wait_until(lambda: len(boxes_of(tab.pixels())) >= least, what=f"{least} names")
+    for width, height, filled in boxes_of(tab.pixels()):
+        assert height <= 26, (width, height, filled)
+        assert filled > 0.8, (width, height, filled)
+
+
+def scene_of(viewer: Viewer) -> Any:
+    """Return what the one open page shows."""
+    (own,) = viewer._scenes._pages.values()
+    return own
+
+
+def test_names_dont_overlap_and_those_of_hovered_and_selected_frames_are_shown(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab]
+) -> None:
+    broadcaster = StaticTransformBroadcaster(node)
+    broadcaster.sendTransform(
+        [
+            transform(f"link_{column}_{row}", 0.1 * column, 0.1 * row)
+            for column in range(8)
+            for row in range(8)
+        ]
+    )
+    tab = open_tab("&camera=-1.5,-2,1.5&look_at=0.35,0.35,0")
+    tab.page.evaluate("send({ op: 'axes', length: 0.02 })")
+    wait_until(lambda: len(viewer.view.poses.names) == 65, what="the frames")
+    assert_apart(tab, 2)
+    tab.keep("names_from_afar")
+    few = len(scene_of(viewer).labels)
+    assert few < 20
+    hidden = next(name for name in viewer.view.poses.names if name not in scene_of(viewer).labels)
+    tab.page.evaluate("frame => send({ op: 'select', frame })", hidden)
+    wait_until(lambda: hidden in scene_of(viewer).labels, what="the name of a selected frame")
+    assert_apart(tab, 2)
+    tab.click("#unselect")
+    (page,) = viewer._server.pages()
+    hovered: list[str | None] = []
+
+    def is_other_hovered() -> bool:
+        """Move to a frame without a name, again and again: the panel that closes moves all of them."""
+        poses, own, camera = viewer.view.poses, scene_of(viewer), viewer._server.camera(page)
+        assert camera is not None
+        if not hovered or hovered[0] not in own.labels:
+            other = next(name for name in poses.names[::-1] if name not in own.labels)
+            across, down, _ = projected(camera, poses.positions[[poses.index_of(other)]])[0]
+            move_to(tab, across, down)
+            tab.page.wait_for_timeout(400)
+            hovered[:] = [frame_at(camera, *own.pointer, poses, own.size_px[1])] if own.pointer else []
+        return bool(hovered) and hovered[0] in own.labels
+
+    wait_until(is_other_hovered, what="the name of a frame at the pointer")
+    assert_apart(tab, 2)
+    move_to(tab, 0.02, 0.02)
+    tab.page.keyboard.press("f")
+    wait_until(lambda: len(scene_of(viewer).labels) > few, what="more names from near")
+    assert_apart(tab, few + 1)
+    tab.keep("names_from_near")
+    tab.page.evaluate("send({ op: 'names', on: false })")
+    wait_until(lambda: boxes_of(tab.pixels()) == [], what="no names")
+    tab.page.evaluate("send({ op: 'names', on: true })")
+    assert_apart(tab, few + 1)
+
+
+def move_to(tab: Tab, across: float, down: float) -> tuple[float, float]:
+    box = tab.page.locator("#scene").bounding_box()
+    x, y = box["x"] + across * box["width"], box["y"] + down * box["height"]
+    tab.page.mouse.move(x, y)
+    return x, y
+
+
+def red(tab: Tab) -> np.ndarray:
+    """Return the rows and the columns of red pixels."""
+    pixels = tab.pixels()
+    return np.argwhere((pixels[:, :, 0] > 120) & (pixels[:, :, 1] < 90) & (pixels[:, :, 2] < 90))
+
+
+def at_red(tab: Tab) -> tuple[float, float]:
+    """Return where the middle of what is red is: across and down."""
+    height, width = tab.pixels().shape[:2]
+    down, across = np.median(red(tab), axis=0)
+    return float(across) / width, float(down) / height
+
+
+def test_double_click_fits_the_camera_to_what_is_there_and_f_to_all(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab]
+) -> None:
+    broadcaster = StaticTransformBroadcaster(node)
+    broadcaster.sendTransform([transform("far", 12.0), transform("farther", 12.0, 12.0)])
+    cube = node.create_publisher(
+        Marker, "/cube", QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    )
+    cube.publish(marker(Marker.CUBE, pose=pose(6.0, 3.0), color=ColorRGBA(r=1.0, a=1.0)))
+    tab = open_tab("&camera=-3,-4,4&look_at=4,2,0")
+    wait_until(lambda: "/cube" in tab.text("#display-rows"), what="the topic")
+    tab.page.evaluate("send({ op: 'display', topic: '/cube', on: true })")
+    tab.page.evaluate("send({ op: 'axes', length: 0.1 })")
+    wait_until(lambda: len(red(tab)) > 20, what="the cube")
+    small = len(red(tab))
+    x, y = move_to(tab, *at_red(tab))
+    tab.page.mouse.dblclick(x, y)
+    wait_until(lambda: len(red(tab)) > 5 * small, what="the cube from near")
+    tab.keep("double_click")
+    assert np.ptp(red(tab)[:, 0]) < 0.9 * tab.pixels().shape[0]
+    assert looks_at(viewer) == pytest.approx([6.0, 3.0, 0.0], abs=0.05)
+    tab.page.keyboard.press("f")
+    wait_until(lambda: looks_at(viewer) == pytest.approx([6.0, 6.0, 0.0], abs=0.3), what="all")
+    wait_until(lambda: 0 < len(red(tab)) < 5 * small, what="the cube among all")
+    x, y = move_to(tab, 0.5, 0.02)
+    tab.page.mouse.dblclick(x, y)
+    wait_until(lambda: "there is nothing at this place" in tab.text("#message"), what="why nothing follows")
+
+
+def looks_at(viewer: Viewer) -> list[float]:
+    (page,) = viewer._server.pages()
+    view_point = viewer._server.view_point(page)
+    assert view_point is not None
+    return list(view_point.look_at)
