@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <new>
+#include <numeric>
 #include <utility>
 
 #include "bag/mcap_records.hpp"
@@ -65,7 +66,7 @@ bool ChunkQueue::store(std::uint16_t channel, std::span<const std::byte> data, s
   // First the room, so that a message that is dropped neither starts a file nor counts for its duration.
   const std::size_t record_size = record_header_size + fields_size + data.size();
   if (!make_room(record_size)) {
-    ++dropped_count_;
+    count_dropped(channel);
     return false;
   }
   if (limits_.duration_ns > 0 && file_start_ && log_time - *file_start_ > limits_.duration_ns) start_file();
@@ -92,6 +93,11 @@ bool ChunkQueue::make_room(std::size_t size) {
     complete_.pop_front();
   }
   return true;
+}
+
+void ChunkQueue::count_dropped(std::uint16_t channel) {
+  if (dropped_counts_.size() <= channel) dropped_counts_.resize(channel + std::size_t{1});
+  ++dropped_counts_[channel];
 }
 
 void ChunkQueue::complete() {
@@ -170,7 +176,12 @@ std::uint64_t ChunkQueue::message_count() const {
 
 std::uint64_t ChunkQueue::dropped_count() const {
   const std::lock_guard lock(mutex_);
-  return dropped_count_;
+  return std::accumulate(dropped_counts_.begin(), dropped_counts_.end(), std::uint64_t{0});
+}
+
+std::vector<std::uint64_t> ChunkQueue::dropped_counts() const {
+  const std::lock_guard lock(mutex_);
+  return dropped_counts_;
 }
 
 std::size_t ChunkQueue::size() const {

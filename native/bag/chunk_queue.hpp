@@ -73,11 +73,13 @@ class ChunkQueue {
   [[nodiscard]] bool has_chunk() const;  // whether a complete chunk is waiting
   [[nodiscard]] std::uint64_t message_count() const;
   [[nodiscard]] std::uint64_t dropped_count() const;
+  [[nodiscard]] std::vector<std::uint64_t> dropped_counts() const;  // by channel, as far as one has lost a message
   [[nodiscard]] std::size_t size() const;  // of all records that are not taken
 
  private:
   bool store(std::uint16_t channel, std::span<const std::byte> data, std::int64_t log_time, std::int64_t publish_time);
   bool make_room(std::size_t size);
+  void count_dropped(std::uint16_t channel);
   void complete();
   void start_file();
 
@@ -93,7 +95,7 @@ class ChunkQueue {
   bool is_paused_ = false;
   bool is_closed_ = false;
   std::uint64_t message_count_ = 0;
-  std::uint64_t dropped_count_ = 0;
+  std::vector<std::uint64_t> dropped_counts_;  // by channel
 };
 
 // The sink of one topic.

@@ -150,6 +150,8 @@ void bind_bag(nb::module_& m) {
       .def_prop_ro("has_chunk", &call<&ChunkQueue::has_chunk>, "Whether a complete chunk is waiting.")
       .def_prop_ro("message_count", &call<&ChunkQueue::message_count>, "Number of messages that were stored.")
       .def_prop_ro("dropped_count", &call<&ChunkQueue::dropped_count>, "Number of messages that a full queue dropped.")
+      .def("dropped_counts", &call<&ChunkQueue::dropped_counts>, nb::sig("def dropped_counts(self) -> list[int]"),
+           "Return these numbers by channel, from 0 to the last one that has lost a message.")
       .def_prop_ro("size", &call<&ChunkQueue::size>, "Size of what has not been taken [bytes].");
 }
 

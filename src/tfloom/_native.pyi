@@ -1241,6 +1241,11 @@ class ChunkQueue:
     def dropped_count(self) -> int:
         """Number of messages that a full queue dropped."""
 
+    def dropped_counts(self) -> list[int]:
+        """
+        Return these numbers by channel, from 0 to the last one that has lost a message.
+        """
+
     @property
     def size(self) -> int:
         """Size of what has not been taken [bytes]."""

@@ -401,5 +401,5 @@ def test_bag_without_messages_is_played_to_its_end(
     tmp_path: Path, local_context: Context, capsys: pytest.CaptureFixture[str]
 ) -> None:
     BagWriter(tmp_path / "still").close()
-    play(tmp_path / "still", PlayOptions())
+    play([tmp_path / "still"], PlayOptions())
     assert capsys.readouterr().err == f"{tmp_path}/still: there are no messages in it\n"

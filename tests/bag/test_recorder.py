@@ -274,7 +274,7 @@ def test_losses_are_counted_until_the_topic_is_left() -> None:
         def close(self) -> None:
             pass
 
-    recorded = recorded_topics._Recorded(QoS())
+    recorded = recorded_topics._Recorded(QoS(), 1)
     assert recorded.count_lost() == 0
     recorded.reader = cast("Any", Reader())
     assert recorded.count_lost() == 3

@@ -36,7 +36,10 @@ def parameters(signature: str) -> list[str]:
     return [name for part in flat.split(",") if (name := part.partition(":")[0].strip())]
 
 
-LATER = {"StorageFilter": ["actions", "exclude_actions"], "StorageOptions": ["max_bag_files"]}
+LATER = {
+    "StorageFilter": ["actions", "exclude_actions"],
+    "StorageOptions": ["max_bag_files", "max_cache_duration"],
+}
 """Parameters that Kilted and Lyrical have after those of Jazzy."""
 
 
@@ -311,6 +314,9 @@ def test_mistakes_are_runtime_errors(tmp_path: Path) -> None:
             use()  # type: ignore[no-untyped-call]
     writer = rosbag2_py.SequentialWriter()
     writer.open(rosbag2_py.StorageOptions(str(tmp_path / "new")), CDR)
+    for stamps in ({}, {"time_stamp": 1, "recv_timestamp": 1}):
+        with pytest.raises(TypeError, match="one log time in nanoseconds"):
+            writer.write("/x", b"", **stamps)
     with pytest.raises(RuntimeError, match="Topic '/x' has not been created yet! Call 'create_topic' first"):
         writer.write("/x", b"", 0)
 
@@ -359,3 +365,20 @@ def test_recorder_and_player_run_until_they_are_cancelled(local_default: None, t
     texts = {row[2] for row in read_by_rosbags(tmp_path / "new")}
     assert texts <= {serialize_message(String(data=f"{number}")) for number in range(20)}
     assert len(texts) == 16
+
+
+def test_times_of_sending_are_written_and_read(tmp_path: Path) -> None:
+    writer = rosbag2_py.SequentialWriter()
+    writer.open(rosbag2_py.StorageOptions(str(tmp_path / "bag"), "mcap"), CDR)
+    writer.create_topic(rosbag2_py.TopicMetadata(0, "/x", "std_msgs/msg/String", "cdr"))
+    data = serialize_message(String(data="a"))
+    writer.write("/x", data, 100)
+    writer.write("/x", data, 200, 150, 7)
+    writer.write("/x", data, recv_timestamp=300, send_timestamp=250, sequence_number=8)
+    writer.close()
+    reader = rosbag2_py.SequentialReader()
+    reader.open_uri(str(tmp_path / "bag"))
+    found = [reader.read_next_ext() for _ in range(3)]
+    assert found == [("/x", data, 100, 100), ("/x", data, 200, 150), ("/x", data, 300, 250)]
+    with pytest.raises(RuntimeError, match="no more messages"):
+        reader.read_next_ext()

@@ -70,6 +70,7 @@ PLACES = {
     "bag/playing/read_ahead.py": ["read_ahead"],
     "bag/recording/discovery.py": ["recorder"],
     "bag/recording/recorder.py": ["recorder"],
+    "bag/rosbag2_names/nodes.py": ["spinning"],
     "cli/shared/child.py": ["child"],
     "demos/child.py": [TOLD],
     "demos/demo_nodes_py/use_logger_service.py": [TOLD],
@@ -614,6 +615,21 @@ def test_recorder_whose_threads_are_late(tmp_path: Path, local_context: Context)
     recorder.destroy_node()
     with open_bag(tmp_path / "bag") as recorded:
         assert recorded.message_count == 1
+
+
+def test_spinning_without_a_thread(tmp_path: Path, ros_domain: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A recorder of rosbag2_py says so, and can be spun later."""
+    import rosbag2_py
+
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(ros_domain))
+    recorder = rosbag2_py.Recorder(
+        rosbag2_py.StorageOptions(str(tmp_path / "bag")), rosbag2_py.RecordOptions()
+    )
+    with no_threads(), pytest.raises(RuntimeError, match=NO_THREAD):
+        recorder.start_spin()
+    recorder.start_spin()
+    recorder.stop_spin()
 
 
 def test_player_without_a_thread(bag: Path, local_context: Context) -> None:

@@ -31,13 +31,15 @@ class Bag:
     Attributes:
         path: The folder or the file.
         files: Its files.
-        metadata: What metadata.yaml says; None for a single file.
+        metadata: What metadata.yaml says; None for a single file, and for several recordings.
+        parts: The files of each recording; there are several if this is read from several at a time.
     """
 
     def __init__(self, path: Path, files: list[BagFile], metadata: Metadata | None) -> None:
         self.path = path
         self.files = files
         self.metadata = metadata
+        self.parts = [files]
 
     def __repr__(self) -> str:
         from tfloom.common.terminal import shown_name

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
+from contextlib import ExitStack
 from pathlib import Path
 
 from tfloom.bag.bag import Bag
@@ -10,7 +12,7 @@ from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import METADATA_FILE, FileInformation, Metadata, read_metadata
 from tfloom.bag.reading.bag_file import BagFile
 
-__all__ = ["open_bag"]
+__all__ = ["open_bag", "open_bags"]
 
 
 def open_bag(path: str | os.PathLike[str]) -> Bag:
@@ -39,6 +41,38 @@ def open_bag(path: str | os.PathLike[str]) -> Bag:
     except OSError as error:
         raise BagError(path, f"it can't be read: {error.strerror}") from None
     return bag
+
+
+def open_bags(paths: Sequence[str | os.PathLike[str]]) -> Bag:
+    """Open several recordings as one, with the topics of all, and their messages in the order of log times.
+
+    Raises:
+        BagError: there is none, one of them can't be opened, or two have a topic of one name with different types.
+    """
+    if not paths:
+        raise BagError("", "no recording was named")
+    with ExitStack() as opened:
+        bags = [opened.enter_context(open_bag(path)) for path in paths]
+        if len(bags) > 1:
+            _check_types(bags)
+        opened.pop_all()
+    if len(bags) == 1:
+        return bags[0]
+    whole = Bag(bags[0].path, [file for bag in bags for file in bag.files], None)
+    whole.parts = [bag.files for bag in bags]
+    return whole
+
+
+def _check_types(bags: list[Bag]) -> None:
+    """Raise BagError if a topic of one recording has another type in a second one: one publisher can't have both."""
+    found: dict[str, tuple[str, Path]] = {}
+    for bag in bags:
+        for topic in bag.topics.values():
+            type_name, path = found.setdefault(topic.name, (topic.type, bag.path))
+            if type_name != topic.type:
+                raise BagError(
+                    bag.path, f"the type of '{topic.name}' is {topic.type}, and in {path} it is {type_name}"
+                )
 
 
 def _recordings_in(folder: Path) -> list[Path]:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
+from tfloom.bag.errors import BagError
 from tfloom.rmw.typed_names import CANCEL_GOAL, FEEDBACK, GET_RESULT, SEND_GOAL, SERVICE_EVENTS, STATUS
 
 __all__ = [
@@ -13,6 +15,7 @@ __all__ = [
     "action_of",
     "full_names",
     "is_service_event",
+    "read_static_topics",
     "service_of_event",
 ]
 
@@ -43,6 +46,41 @@ def action_of(topic: str) -> str:
     """Return the action whose topic this is, one of its feedback, its status or its services' events; "" if none."""
     suffix = next((suffix for suffix in _ACTION_SUFFIXES if topic.endswith(suffix)), "")
     return topic.removesuffix(suffix) if suffix else ""
+
+
+STATIC_TOPICS = "static_topics_and_types_list"
+"""The key of a file of topics that are recorded from the start."""
+
+
+def read_static_topics(path: Path) -> dict[str, str]:
+    """Return the topics in a file, each with its type: what a recorder subscribes to before anybody publishes.
+
+    The file is YAML: `static_topics_and_types_list: [[/scan, sensor_msgs/msg/LaserScan], …]`.
+
+    Raises:
+        BagError: it can't be read, isn't as it must be, or a topic has two types or none.
+    """
+    from tfloom.common import yaml as user_yaml
+
+    try:
+        values = user_yaml.load(path.read_text("utf-8"))
+    except OSError as error:
+        raise BagError(path, f"it can't be read: {error.strerror}") from None
+    except (user_yaml.YamlError, UnicodeDecodeError) as error:
+        raise BagError(path, f"it isn't YAML: {error}") from None
+    pairs = values.get(STATIC_TOPICS) if isinstance(values, dict) else None
+    if not isinstance(pairs, list):
+        raise BagError(path, f"it must have '{STATIC_TOPICS}: [[/topic, package/msg/Type], …]'")
+    topics: dict[str, str] = {}
+    for pair in pairs:
+        if not (isinstance(pair, list) and len(pair) == 2 and all(isinstance(word, str) for word in pair)):
+            raise BagError(path, f"each of '{STATIC_TOPICS}' must be a topic and its type, not {pair!r}")
+        (name,), type_name = full_names(pair[:1]), pair[1]
+        if not re.fullmatch(r"\w+/(msg|srv|action)/\w+", type_name):
+            raise BagError(path, f"the type of '{name}' must be as package/msg/Type, not '{type_name}'")
+        if topics.setdefault(name, type_name) != type_name:
+            raise BagError(path, f"'{name}' has two types: {topics[name]} and {type_name}")
+    return topics
 
 
 @dataclass

@@ -102,6 +102,10 @@ BAG_FILES_HAVE_TIMES = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether a bag's files are `0_bag_2026_05_23-10_00_00.mcap`; otherwise `bag_0.mcap`."""
 ALL_RECORDS_ACTIONS = _choice(jazzy=False, kilted=True, lyrical=True)
 """Whether `ros2 bag record --all` records actions, too: their feedback and status are hidden topics."""
+LOSSES_HZ = _choice(jazzy=0.0, kilted=0.0, lyrical=1.0)
+"""How often a recorder says at most which messages were lost, unless a rate is given [Hz]; 0: it has no such topic."""
+PLAY_SHOWS_PROGRESS = _choice(jazzy=False, kilted=True, lyrical=True)
+"""Whether `ros2 bag play` shows its progress on a terminal, unless `--progress-bar-update-rate` is given."""
 READS_FLOAT_TAG = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether `!!float 10` in a file of parameters is a double; otherwise an integer."""
 

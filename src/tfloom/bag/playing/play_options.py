@@ -8,7 +8,12 @@ from dataclasses import dataclass, field
 from tfloom.bag.topic_choice import TopicChoice, full_names
 from tfloom.rmw.qos import QoS
 
-__all__ = ["PlayOptions", "parse_remaps"]
+__all__ = ["NO_GOALS", "PlayOptions", "parse_remaps"]
+
+NO_GOALS = (
+    "recorded goals can't be sent to action servers here: without --send-actions-as-client, the recorded feedback, "
+    "status and events are published"
+)
 
 
 @dataclass
@@ -44,6 +49,12 @@ class PlayOptions:
     """Whether recorded requests are sent to services, in place of publishing their events."""
     is_client_source: bool = False
     """Whether requests are those that clients recorded, not those of servers."""
+    is_by_sent_time: bool = False
+    """Whether messages are played by the times at which they were published, not received."""
+    progress_hz: float = 0.0
+    """How often a line of progress is printed in a second; negative: with each message; 0: never."""
+    progress_lines: int = 2
+    """Number of empty lines before that line."""
 
 
 def parse_remaps(words: Sequence[str]) -> dict[str, str]:

@@ -9,7 +9,7 @@ from enum import Enum
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.playing.play_clock import PlayClock
-from tfloom.bag.playing.read_ahead import ReadAhead
+from tfloom.bag.playing.read_ahead import ReadAhead, by_sent_time
 from tfloom.bag.values import RawMessage
 
 __all__ = ["Playback"]
@@ -39,6 +39,7 @@ class Playback:
         read_ahead: Number of messages that are read ahead, at most.
         on_message: Called for each message, on the thread of `run`.
         on_start: Called with the time at which playing starts, again after each seek, on the same thread.
+        is_by_sent_time: Whether messages are played by the times at which they were published, not received.
     """
 
     def __init__(
@@ -50,6 +51,8 @@ class Playback:
         read_ahead: int,
         on_message: Callable[[RawMessage], None],
         on_start: Callable[[int], None],
+        *,
+        is_by_sent_time: bool = False,
     ) -> None:
         self._bag = bag
         self._topics = sorted(topics)
@@ -57,6 +60,7 @@ class Playback:
         self._read_ahead = read_ahead
         self._on_message = on_message
         self._on_start = on_start
+        self._is_by_sent_time = is_by_sent_time
         self._changed = threading.Condition()
         """Guards all below."""
         self._clock = PlayClock(bounds[0], rate)
@@ -153,6 +157,12 @@ class Playback:
             self._is_stopped = True
             self._changed.notify_all()
 
+    def restart(self) -> None:
+        """Let the next `run` play, although `stop` was called; no other may be running."""
+        with self._changed:
+            self._is_stopped = False
+            self._seek_ns = None
+
     @property
     def is_stopped(self) -> bool:
         """Whether `stop` was called."""
@@ -191,9 +201,17 @@ class Playback:
     def _play_from(self, start_ns: int) -> int | None:
         """Play from a time on; return the time of a seek, or None at the end."""
         unread = self._bag.messages(self._topics, start_ns, self._bounds[1])
+        if self._is_by_sent_time:
+            unread = by_sent_time(unread, self._read_ahead)
         messages = ReadAhead(self._bag.path, unread, self._read_ahead)
+        is_first = True
         try:
             for message in messages:
+                if self._is_by_sent_time and is_first:
+                    # Other machines' clocks may differ by any time from that of the recorder, whose the bounds are.
+                    with self._changed:
+                        self._clock.set_now(message.log_time_ns)
+                is_first = False
                 turn = self._wait_for(message.log_time_ns)
                 if turn is not _Turn.PUBLISH:
                     break

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 from collections.abc import Callable
 
@@ -11,6 +12,7 @@ from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.playback import Playback
 from tfloom.bag.playing.played_topics import CLOCK, PlayedTopics
 from tfloom.bag.playing.player_services import serve_player
+from tfloom.bag.playing.progress_bar import PlayStatus, ProgressBar
 from tfloom.bag.values import RawMessage
 from tfloom.interfaces.rosbag2_interfaces.msg import ReadSplitEvent
 from tfloom.interfaces.rosgraph_msgs.msg import Clock
@@ -57,24 +59,31 @@ class Player(Node):
         self.failure: BagError | None = None
         """Why playing ended before the end of the bag."""
         self.ended = threading.Event()
-        """Set at the end of the bag."""
+        """Set at the end of the bag, and after `stop`."""
+        self.started = threading.Event()
+        """Set when the first message may be published, and at the end, however early that comes."""
         self.get_logger().info(f"Set rate to {options.rate:g}")
         self._topics = PlayedTopics(self, bag, options)
         self._publish_clock = self._clock_publisher()
         self._split_events = self.create_publisher(ReadSplitEvent, "events/read_split", 1)
-        self._file = 0
+        self._open_files = [0] * len(bag.parts)
+        self._is_delayed = False
+        self._progress = self._make_progress()
         self.playback = Playback(
             bag,
             self._topics.names,
-            self._bounds(),
+            self.bounds(),
             options.rate,
             options.read_ahead,
             self._publish,
             self._on_start,
+            is_by_sent_time=options.is_by_sent_time,
         )
         # Before any key or request can pause it, which would be undone.
         self.playback.set_paused(options.is_start_paused)
         serve_player(self)
+        self._beginning = threading.Lock()
+        """Guards the threads: one call at a time begins to play."""
         self._threads: list[threading.Thread] = []
         if options.has_keyboard:
             self.get_logger().info("Adding keyboard callbacks.")
@@ -101,29 +110,34 @@ class Player(Node):
             BagError: a thread can't be started; then `stop` ends the others.
         """
         self.get_logger().info(f"Playback until timestamp: {self._until_ns()}")
-        if self.options.clock_hz > 0.0:
-            self._begin(self._publish_clock_regularly)
-        self._begin(self._play_all)
+        with self._beginning:
+            self._begin_all()
 
     def play_again(self, start_ns: int, end_ns: int) -> bool:
-        """Play a part of the bag, if the last one has ended; otherwise return False."""
-        if not self.ended.is_set():
-            return False
-        self.ended.clear()
-        self.playback.set_bounds(start_ns, end_ns)
-        try:
-            self._begin(self._play_all)
-        except BagError as error:
-            self.get_logger().error(str(error))
-            self.ended.set()
-            return False
-        return True
+        """Play a part of the bag, if the last one has ended or was stopped; otherwise return False."""
+        with self._beginning:
+            if not self.ended.is_set():
+                return False
+            self.ended.clear()
+            self.started.clear()
+            self.failure = None
+            self.playback.restart()
+            self.playback.set_bounds(start_ns, end_ns)
+            try:
+                self._begin_all()
+            except BagError as error:
+                self.get_logger().error(str(error))
+                self.ended.set()
+                return False
+            return True
 
     def stop(self) -> None:
         """End playing, and its threads."""
         self.playback.stop()
         for thread in self._threads:
             thread.join()
+        if self._progress is not None:
+            self._progress.end()
 
     def toggle_paused(self) -> None:
         """Pause, or resume."""
@@ -144,13 +158,20 @@ class Player(Node):
             self.get_logger().warning(f"Failed to set rate to invalid value {rate:g}")
         return is_set
 
+    def _begin_all(self) -> None:
+        if self.options.clock_hz > 0.0:
+            self._begin(self._publish_clock_regularly)
+        if self._progress is not None and self.options.progress_hz > 0.0:
+            self._begin(self._show_progress_regularly)
+        self._begin(self._play_all)
+
     def _begin(self, run: Callable[[], None]) -> None:
         thread = threading.Thread(target=run, daemon=True)
         try:
             thread.start()
         except RuntimeError as error:
             raise BagError(self.bag.path, f"it can't be played: {error}") from error
-        self._threads.append(thread)
+        self._threads = [*(running for running in self._threads if running.is_alive()), thread]
 
     def _play_all(self) -> None:
         try:
@@ -167,17 +188,23 @@ class Player(Node):
             self.failure = BagError(self.bag.path, f"playing has ended: {type(error).__name__}: {error}")
             self.failure.__cause__ = error
         finally:
+            self._show_progress(PlayStatus.STOPPED)
+            self.started.set()
             self.ended.set()
 
     def _play_once(self) -> None:
         if self.options.delay_s > 0.0:
             self.get_logger().info(f"Sleep {self.options.delay_s * _S_TO_NS:.0f} ns")
-            if not self.playback.wait(self.options.delay_s):
-                return
+            self._is_delayed = True
+            try:
+                if not self.playback.wait(self.options.delay_s):
+                    return
+            finally:
+                self._is_delayed = False
         self.playback.run()
 
-    def _bounds(self) -> tuple[int, int]:
-        """Return the first and the last log time that are played [ns since epoch]."""
+    def bounds(self) -> tuple[int, int]:
+        """Return the first and the last log time that the options want to be played [ns since epoch]."""
         start_ns = self.bag.start_ns + int(self.options.start_offset_s * _S_TO_NS)
         until_ns = self._until_ns(start_ns)
         return start_ns, self.bag.end_ns if until_ns < 0 else min(until_ns, self.bag.end_ns)
@@ -191,7 +218,8 @@ class Player(Node):
         return max(by_duration_ns, self.options.until_ns, -1)
 
     def _on_start(self, start_ns: int) -> None:
-        self._file = 0
+        self._open_files = [0] * len(self.bag.parts)
+        self.started.set()
         self._publish_clock(start_ns)
         self._topics.publish_kept(start_ns)
 
@@ -199,16 +227,44 @@ class Player(Node):
         if self.options.is_clock_on_all or message.topic in self.options.clock_topics:
             self._publish_clock(message.log_time_ns)
         self._topics.publish(message)
+        self._announce_files(message.log_time_ns)
+        if self.options.progress_hz < 0.0:
+            self._show_progress()
+
+    def _announce_files(self, stamp_ns: int) -> None:
         # A message later than the file's end is of a later one. Files without messages in between are passed over, each
         # with its event.
-        files = self.bag.files
-        while self._file + 1 < len(files) and message.log_time_ns > files[self._file].end_ns:
-            closed, opened = files[self._file].path, files[self._file + 1].path
-            name = self.get_fully_qualified_name()
-            self._split_events.publish(
-                ReadSplitEvent(closed_file=str(closed), opened_file=str(opened), node_name=name)
-            )
-            self._file += 1
+        for part, files in enumerate(self.bag.parts):
+            place = self._open_files[part]
+            while place + 1 < len(files) and stamp_ns > files[place].end_ns:
+                closed, opened = files[place].path, files[place + 1].path
+                name = self.get_fully_qualified_name()
+                self._split_events.publish(
+                    ReadSplitEvent(closed_file=str(closed), opened_file=str(opened), node_name=name)
+                )
+                place += 1
+            self._open_files[part] = place
+
+    def _make_progress(self) -> ProgressBar | None:
+        """Return what shows the progress; None if that isn't wanted, or standard output is no terminal."""
+        if not self.options.progress_hz or sys.stdout is None or not sys.stdout.isatty():
+            return None
+        first, last = self.bounds()
+        return ProgressBar(first, last - first, self.options.progress_lines)
+
+    def _show_progress(self, status: PlayStatus | None = None) -> None:
+        if self._progress is None:
+            return
+        if status is None:
+            is_running = PlayStatus.PAUSED if self.playback.is_paused else PlayStatus.RUNNING
+            status = PlayStatus.DELAYED if self._is_delayed else is_running
+        self._progress.show(self.playback.now_ns(), status)
+
+    def _show_progress_regularly(self) -> None:
+        while self.playback.wait(1.0 / self.options.progress_hz):
+            if self.ended.is_set():
+                return
+            self._show_progress()
 
     def _clock_publisher(self) -> Callable[[int], None]:
         """Return what publishes a time on /clock; it does nothing if that isn't wanted."""

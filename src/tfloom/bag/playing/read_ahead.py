@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import heapq
 import os
 import queue
 import threading
@@ -10,7 +11,7 @@ from collections.abc import Iterator
 from tfloom.bag.errors import BagError
 from tfloom.bag.values import RawMessage
 
-__all__ = ["ReadAhead"]
+__all__ = ["ReadAhead", "by_sent_time"]
 
 _BATCH = 64
 _BATCH_SIZE = 1 << 20
@@ -92,3 +93,22 @@ class ReadAhead:
                 continue
             return True
         return False
+
+
+def by_sent_time(messages: Iterator[RawMessage], window: int) -> Iterator[RawMessage]:
+    """Yield messages in the order in which they were published, with that time as their log time.
+
+    A message is late that more than `window` others were received before it, though they were published after it.
+
+    Args:
+        messages: In the order of log times.
+        window: How many are held at a time, at least one.
+    """
+    held: list[tuple[int, int, RawMessage]] = []
+    for number, message in enumerate(messages):
+        sent_ns = message.publish_time_ns
+        heapq.heappush(held, (sent_ns, number, message._replace(log_time_ns=sent_ns)))
+        if len(held) > max(window, 1):
+            yield heapq.heappop(held)[2]
+    while held:
+        yield heapq.heappop(held)[2]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from tfloom.bag.key_presses import handled_keys
 from tfloom.bag.node_running import spin_until
-from tfloom.bag.opening import open_bag
+from tfloom.bag.opening import open_bags
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
 from tfloom.common.terminal import report
@@ -17,28 +17,28 @@ __all__ = ["play"]
 
 
 def play(
-    path: Path,
+    paths: Sequence[Path],
     options: PlayOptions,
     *,
     burst: int | None = None,
     stop: threading.Event | None = None,
 ) -> None:
-    """Play until the bag's end, until the context is shut down, by Ctrl-C too, or `stop` is set.
+    """Play one bag, or several at a time, until the end, a shutdown of the context, by Ctrl-C too, or `stop`.
 
     The default context is initialised.
 
     Args:
-        path: The bag.
+        paths: The bags.
         options: What is played.
         burst: Number of messages to publish at once before, in the paused state; 0: all. None: none.
         stop: Ends playing.
 
     Raises:
-        BagError: the bag can't be read.
+        BagError: a bag can't be read.
     """
-    with open_bag(path) as bag:
+    with open_bags(paths) as bag:
         if bag.message_count == 0:
-            report(f"{path}: there are no messages in it")
+            report(f"{', '.join(map(str, paths))}: there are no messages in it")
             return
         # Filled when the player is there; until then keys do nothing.
         keys: dict[str, Callable[[], object]] = {}

@@ -15,9 +15,9 @@ from tfloom.bag.writing.definition_text import find_definition, hash_of
 from tfloom.node.base.node_base import open_endpoint
 from tfloom.node.log.logging import get_logger
 from tfloom.rmw import base
-from tfloom.rmw.errors import UnsupportedEventError
+from tfloom.rmw.errors import ClosedError, UnsupportedEventError
 from tfloom.rmw.events import Count, Event
-from tfloom.rmw.qos import HistoryPolicy, QoS
+from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS
 
 if TYPE_CHECKING:
     from tfloom.node.node import Node
@@ -42,6 +42,14 @@ class RecordOptions:
     is_start_paused: bool = False
     use_sim_time: bool = False
     has_keyboard: bool = True
+    static_topics: Mapping[str, str] = field(default_factory=dict)
+    """Types by topics that are recorded from the start on, whether or not anybody publishes."""
+    losses_hz: float = 0.0
+    """How often it is published at most which messages were lost [Hz]; 0: never."""
+    repeated: Mapping[str, int] = field(default_factory=dict)
+    """By topic, how many of its last messages each further file and each snapshot begins with."""
+    repeats_all: int = 0
+    """The same for all other topics whose publishers are transient local; 0: none."""
 
 
 MAX_SEARCHES = 5
@@ -63,8 +71,10 @@ class _TopicInfo:
 class _Recorded:
     """A topic that is recorded. It is an endpoint of the node, which destroys it."""
 
-    def __init__(self, qos: QoS) -> None:
+    def __init__(self, qos: QoS, number: int) -> None:
         self.qos = qos
+        self.number = number
+        """Of its channel."""
         self.reader: base.Reader | None = None
         self.refused: set[bytes] = set()
         self.lost = 0
@@ -82,7 +92,7 @@ class _Recorded:
             return self.lost
         try:
             status = self.reader.take_event(Event.MESSAGE_LOST)
-        except UnsupportedEventError:
+        except (UnsupportedEventError, ClosedError):  # it may be closed on another thread meanwhile
             return self.lost
         return status.total_count if isinstance(status, Count) else self.lost
 
@@ -129,15 +139,45 @@ class RecordedTopics:
         """Subscribe to all wanted topics that exist."""
         graph = self._graph()
         self._changes = graph.changes()
+        self._subscribe_to_static(graph)
         for name, topic_info in sorted(self._topics(graph).items()):
             if name in self._recorded:
                 self._warn_of_refused(name, topic_info)
             elif self._is_wanted(name, topic_info):
                 self._subscribe(name, topic_info)
 
+    def _subscribe_to_static(self, graph: base.Graph) -> None:
+        """Subscribe to the topics that are recorded whether or not anybody publishes them."""
+        missing = self._options.static_topics.keys() - self._recorded.keys()
+        topics = self._topics(graph) if missing else {}
+        for name in sorted(missing):
+            type_name = self._options.static_topics[name]
+            topic_info = topics.get(name, _TopicInfo())
+            if topic_info.types.keys() - {type_name}:
+                types = ", ".join(sorted(topic_info.types))
+                self._report(f"Static topic '{name}' has another type than {type_name}: {types}")
+            topic_info.types = {type_name: topic_info.types.get(type_name, "")}
+            topic_info.writers = [end for end in topic_info.writers if end.topic.type_name == type_name]
+            self._subscribe(name, topic_info)
+
     def lost_count(self) -> int:
         """Return how many messages the wire has lost."""
         return sum(topic.count_lost() for topic in self._recorded.values())
+
+    def losses(self) -> dict[str, tuple[int, int]]:
+        """Return how many messages of each topic were lost: on the wire, in a full cache. Any thread may call it."""
+        dropped = self._writer.queue.dropped_counts()
+        return {
+            name: (topic.count_lost(), dropped[topic.number] if topic.number < len(dropped) else 0)
+            for name, topic in list(self._recorded.items())
+        }
+
+    def _repeated_count(self, name: str, offers: list[QoS]) -> int:
+        """Return how many of a topic's last messages further files begin with."""
+        if name in self._options.repeated:
+            return self._options.repeated[name]
+        is_kept = offers and all(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
+        return self._options.repeats_all if is_kept else 0
 
     def close(self) -> None:
         """Close the readers of all topics. A definition that was searched for only once is searched for again."""
@@ -205,14 +245,18 @@ class RecordedTopics:
             name, type_name, "cdr", type_hash, profiles_text(offers), find_definition(type_name, type_hash)
         )
         number = self._writer.add_topic(topic)
-        recorded = _Recorded(qos)
+        if depth := self._repeated_count(name, offers):
+            self._writer.repeat(number, depth)
+            if not offers and override is None:
+                qos = qos._replace(durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        recorded = _Recorded(qos, number)
         wire_topic = base.Topic(name, type_name, type_hash)
         recorded.reader = open_endpoint(
             self._node, recorded, lambda participant, node: participant.create_reader(node, wire_topic, qos)
         )
         # From here on the wire's threads push messages into the queue, with the number under which the writer knows the
         # topic. So the topic is added first, although it may turn out to have no message.
-        recorded.reader.feed(self._writer.queue.sink(number))
+        recorded.reader.feed(self._writer.sink(number))
         self._recorded[name] = recorded
         self._node.get_logger().info(f"Subscribed to topic '{name}'")
         # Asking peers for the definition takes time: messages are recorded meanwhile, and the definition comes later.

@@ -13,20 +13,27 @@ from tfloom.bag.recording.recorded_topics import RecordedTopics, RecordOptions
 from tfloom.bag.recording.recorder_services import RefusedError, serve_recorder
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
 from tfloom.common.signals import signals_deferred
-from tfloom.interfaces.rosbag2_interfaces.msg import WriteSplitEvent
-from tfloom.node.clock.clock import JumpHandle
+from tfloom.interfaces.rosbag2_interfaces.msg import (
+    MessagesLostEvent,
+    MessagesLostEventTopicStat,
+    WriteSplitEvent,
+)
+from tfloom.node.clock.clock import Clock, JumpHandle
 from tfloom.node.clock.time_jump import JumpThreshold
 from tfloom.node.context.context import Context
+from tfloom.node.endpoints.publisher import Publisher
 from tfloom.node.log.logging import get_logger
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.time import ClockType
 from tfloom.rmw.base import Participant
 
 __all__ = ["Learn", "Recorder"]
 
 FLUSH_NS = 1_000_000_000
 """How long messages wait at most until they are written, so that a kill loses no more [ns]."""
+MAX_LOSSES_HZ = 1000.0
 Learn = Callable[[Participant, str], object]
 """Makes the classes of a type from the descriptions of peers; what it returns is not used."""
 
@@ -45,6 +52,7 @@ class Recorder(Node):
         node_name: The node's name.
         learn: Called for a type without a definition here.
         context: The node's context; None: the default one.
+        waits: Whether the bag is created by `record`, as another one after `stop`, and not now.
 
     Raises:
         BagError: the folder exists, or can't be written.
@@ -58,12 +66,15 @@ class Recorder(Node):
         node_name: str = "rosbag2_recorder",
         learn: Learn | None = None,
         context: Context | None = None,
+        *,
+        waits: bool = False,
     ) -> None:
         overrides = [Parameter("use_sim_time", value=True)] if options.use_sim_time else []
         super().__init__(node_name, context=context, parameter_overrides=overrides)
         self.options = options
         self.failure: BagError | None = None
         """Why recording ended, if it could not go on."""
+        self._folder = folder
         self._settings = settings
         self._learn = learn
         self._is_paused = options.is_start_paused
@@ -75,13 +86,19 @@ class Recorder(Node):
         self._writing: threading.Thread | None = None
         self._jump_handle: JumpHandle | None = None
         self._split_events = self.create_publisher(WriteSplitEvent, "events/write_split", 1)
+        self._discovery = self._make_discovery()
+        self._told_losses: dict[str, tuple[int, int]] = {}
+        self._loss_events = self._make_loss_events()
         if options.has_keyboard:
             self.get_logger().info("Press SPACE for pausing/resuming")
-        try:
-            self._open(folder)
-        except BagError:
-            self.destroy_node()
-            raise
+        if waits:
+            self._ended.set()
+        else:
+            try:
+                self._open(folder)
+            except BagError:
+                self.destroy_node()
+                raise
         serve_recorder(self)
 
     def start(self) -> None:
@@ -111,7 +128,7 @@ class Recorder(Node):
         """Record into another bag, after `stop`. Messages are discarded until `resume`, because `stop` pauses.
 
         Args:
-            uri: The bag's folder, which must not exist; empty: that of the last one.
+            uri: The bag's folder, which must not exist; empty: that of the last one, or the one given at first.
 
         Raises:
             RefusedError: this is recording.
@@ -120,7 +137,7 @@ class Recorder(Node):
         with self._transition:
             if self.is_recording:
                 raise RefusedError("Recorder is already recording.", "while already recording")
-            self._open(Path(uri) if uri else self.writer.folder)
+            self._open(Path(uri) if uri else self._folder)
             self._ended.clear()
             self.start()
 
@@ -137,13 +154,53 @@ class Recorder(Node):
     def _open(self, folder: Path) -> None:
         """Create the bag, and begin with no topics."""
         self.writer = BagWriter(folder, self._settings, self._on_split)
+        self._folder = folder
+        self._told_losses = {}
         if self._settings.storage_id == "sqlite3":
             get_logger("rosbag2_storage").info(f"Opened database '{self.writer.file_path}' for READ_WRITE.")
-        self.writer.queue.set_paused(self._is_paused)
+        self.writer.set_paused(self._is_paused)
         self._topics = RecordedTopics(self, self.writer, self.options, self._learn)
-        self._discovery = Discovery(
-            self._subscribe_to_new, self.options.polling_interval_s, self._on_failed_discovery
+        self._discovery = self._make_discovery()
+
+    def _make_discovery(self) -> Discovery:
+        return Discovery(self._subscribe_to_new, self.options.polling_interval_s, self._on_failed_discovery)
+
+    def _make_loss_events(self) -> Publisher[MessagesLostEvent] | None:
+        """Return the publisher of what was lost, which a timer calls; None if that isn't wanted."""
+        if self.options.losses_hz <= 0.0:
+            return None
+        # By a clock that can't stand still, as simulated time does.
+        clock = Clock(clock_type=ClockType.STEADY_TIME)
+        self.create_timer(
+            1.0 / min(self.options.losses_hz, MAX_LOSSES_HZ), self._announce_losses, clock=clock
         )
+        return self.create_publisher(MessagesLostEvent, "events/rosbag2_messages_lost", 1)
+
+    def _announce_losses(self) -> None:
+        """Publish how many messages of topics have been lost since the last time, if there were any."""
+        if self._loss_events is None or not self.is_recording:
+            return
+        losses = self._topics.losses()
+        told, self._told_losses = self._told_losses, losses
+        statistics = [
+            MessagesLostEventTopicStat(
+                topic_name=name,
+                messages_lost_in_transport=transport - told.get(name, (0, 0))[0],
+                messages_lost_in_recorder=cache - told.get(name, (0, 0))[1],
+            )
+            for name, (transport, cache) in sorted(losses.items())
+            if (transport, cache) != told.get(name, (0, 0))
+        ]
+        if statistics:
+            name = self.get_fully_qualified_name()
+            self._loss_events.publish(MessagesLostEvent(node_name=name, messages_lost_statistics=statistics))
+
+    def _announce_last_losses(self) -> None:
+        if self.context.ok():
+            try:
+                self._announce_losses()
+            except Exception as error:  # noqa: BLE001  # the context may end meanwhile; the bag is completed
+                self.get_logger().warning(f"The losses were not announced: {error}")
 
     def _say_what_begins(self) -> None:
         if not self._is_paused:
@@ -157,8 +214,9 @@ class Recorder(Node):
         # that thread may need it for its last chunk. Only then can no thread subscribe any more, and the readers are
         # closed.
         self.pause()
+        self._announce_last_losses()
         self._ended.set()
-        self.writer.queue.close()
+        self.writer.close_queues()
         self._discovery.stop()
         if self._writing is not None:
             self._writing.join()
@@ -183,14 +241,16 @@ class Recorder(Node):
         """Discard messages from now on."""
         with self._transition:
             self._is_paused = True
-            self.writer.queue.set_paused(True)
+            if self.is_recording:
+                self.writer.set_paused(True)
             self.get_logger().info("Pausing recording.")
 
     def resume(self) -> None:
         """Record messages again."""
         with self._transition:
             self._is_paused = False
-            self.writer.queue.set_paused(False)
+            if self.is_recording:
+                self.writer.set_paused(False)
             self.get_logger().info("Resuming recording.")
 
     def toggle_paused(self) -> None:
@@ -281,7 +341,7 @@ class Recorder(Node):
 
     def fail(self, failure: BagError, cause: Exception | None = None) -> None:
         """End the recording because of an error; what was written stays readable."""
-        self.writer.queue.close()
+        self.writer.close_queues()
         if self.failure is None:
             failure.__cause__ = cause
             self.failure = failure
@@ -344,7 +404,7 @@ class Recorder(Node):
         clock = self.get_clock()
 
         def follow(_: Any = None) -> None:
-            self.writer.queue.set_simulated_time(clock.now().nanoseconds)
+            self.writer.set_simulated_time(clock.now().nanoseconds)
 
         # 0 is an unknown time: until the first message of /clock, nothing is recorded rather than with wrong stamps.
         follow()

@@ -112,6 +112,15 @@ class SequentialReader:
         self._last = message
         return message.topic, message.data, message.log_time_ns
 
+    def read_next_ext(self) -> tuple[str, bytes, int, int]:
+        """Return the next message: topic, serialized bytes, log time and time of publication [ns since epoch].
+
+        Raises:
+            BagError: there is none, no bag is open, or it can't be read.
+        """
+        topic, data, log_ns = self.read_next()
+        return topic, data, log_ns, log_ns if self._last is None else self._last.publish_time_ns
+
     def seek(self, arg0: int) -> None:
         """Go on with the messages from a log time on [ns since epoch]; in reverse, up to it."""
         self._start_ns = arg0

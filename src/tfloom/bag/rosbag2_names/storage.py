@@ -60,6 +60,7 @@ class StorageOptions:
     end_time_ns: int = -1
     custom_data: dict[str, str] = field(default_factory=dict)
     max_bag_files: int = 0
+    max_cache_duration: int = 0
 
 
 @dataclass

@@ -1,31 +1,25 @@
-"""Recorder and player, and the conversion of bags."""
+"""The options of recorder and player, and the conversion of bags."""
 
 from __future__ import annotations
 
 import os
-import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from datetime import timedelta
 from enum import IntEnum
 from pathlib import Path
 from typing import Any
 
 from tfloom.bag.converting import convert, parse_outputs, read_outputs
+from tfloom.bag.errors import BagError
 from tfloom.bag.playing import play_options as playing
-from tfloom.bag.playing.run import play
 from tfloom.bag.recording import recorded_topics as recording
-from tfloom.bag.recording.run import record
 from tfloom.bag.rosbag2_names.qos import wire_profile
 from tfloom.bag.rosbag2_names.storage import StorageOptions
-from tfloom.bag.rosbag2_names.writers import writer_settings
-from tfloom.bag.topic_choice import TopicChoice, full_names
-from tfloom.node.client_library import init
-from tfloom.node.context.utilities import get_default_context, try_shutdown
-from tfloom.node.log.log_output import LoggingSeverity
-from tfloom.node.log.logging import get_logging_severity_from_string, set_logger_level
+from tfloom.bag.topic_choice import TopicChoice, full_names, read_static_topics
 from tfloom.rmw.typed_names import SERVICE_EVENTS
+from tfloom.ros_imports import ros_distro
 
-__all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "ServiceRequestsSource", "bag_rewrite"]
+__all__ = ["MessageOrder", "PlayOptions", "RecordOptions", "ServiceRequestsSource", "bag_rewrite"]
 
 
 class ServiceRequestsSource(IntEnum):
@@ -33,6 +27,13 @@ class ServiceRequestsSource(IntEnum):
 
     SERVICE_INTROSPECTION = 0
     CLIENT_INTROSPECTION = 1
+
+
+class MessageOrder(IntEnum):
+    """By which of their times messages are played."""
+
+    RECEIVED_TIMESTAMP = 0
+    SENT_TIMESTAMP = 1
 
 
 class RecordOptions:
@@ -68,9 +69,22 @@ class RecordOptions:
         self.start_paused = False
         self.use_sim_time = False
         self.disable_keyboard_controls = False
+        self.static_topics_uri = ""
+        self.input_serialization_format = ""
+        self.output_serialization_format = ""
+        self.repeat_transient_local_messages: dict[str, int] = {}
+        self.repeat_all_transient_local_depth = 0
+        self.statistics_max_publishing_rate = ros_distro.LOSSES_HZ
 
     def to_options(self) -> recording.RecordOptions:
-        """Return the options of a recorder."""
+        """Return the options of a recorder.
+
+        Raises:
+            BagError: the file of static topics can't be used, or a serialization format is not cdr.
+        """
+        for name in (self.input_serialization_format, self.output_serialization_format):
+            if name not in {"", "cdr"}:
+                raise BagError("rosbag2_py", f"the serialization format is cdr, not '{name}'")
         choice = TopicChoice(
             topics=full_names(self.topics),
             topic_types=self.topic_types,
@@ -97,6 +111,14 @@ class RecordOptions:
             is_start_paused=self.start_paused,
             use_sim_time=self.use_sim_time,
             has_keyboard=not self.disable_keyboard_controls,
+            static_topics=read_static_topics(Path(self.static_topics_uri)) if self.static_topics_uri else {},
+            losses_hz=self.statistics_max_publishing_rate,
+            repeated={
+                name: depth
+                for topic, depth in self.repeat_transient_local_messages.items()
+                for name in full_names([topic])
+            },
+            repeats_all=self.repeat_all_transient_local_depth,
         )
 
 
@@ -131,9 +153,19 @@ class PlayOptions:
         self.disable_loan_message = False
         self.publish_service_requests = False
         self.service_requests_source = ServiceRequestsSource.SERVICE_INTROSPECTION
+        self.send_actions_as_client = False
+        self.message_order = MessageOrder.RECEIVED_TIMESTAMP
+        self.progress_bar_update_rate = 0
+        self.progress_bar_separation_lines = 2
 
     def to_options(self) -> playing.PlayOptions:
-        """Return the options of a player."""
+        """Return the options of a player.
+
+        Raises:
+            NotImplementedError: goals are to be sent, which isn't possible here.
+        """
+        if self.send_actions_as_client:
+            raise NotImplementedError(playing.NO_GOALS)
         wanted = (
             self.topics_to_filter,
             self.services_to_filter,
@@ -174,124 +206,10 @@ class PlayOptions:
             has_keyboard=not self.disable_keyboard_controls,
             publishes_requests=self.publish_service_requests,
             is_client_source=self.service_requests_source == ServiceRequestsSource.CLIENT_INTROSPECTION,
+            is_by_sent_time=self.message_order == MessageOrder.SENT_TIMESTAMP,
+            progress_hz=self.progress_bar_update_rate,
+            progress_lines=self.progress_bar_separation_lines,
         )
-
-
-class _Stoppable:
-    """The runs of one class, which `cancel` ends."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._stops: set[threading.Event] = set()  # guarded by _lock
-
-    def run(self, work: Callable[[threading.Event], None], level: LoggingSeverity) -> None:
-        """Call `work` with the event that ends it, in the default context, which is initialised if it isn't.
-
-        All loggers get the level, but for INFO, which is theirs without it.
-        """
-        stop = threading.Event()
-        with self._lock:
-            self._stops.add(stop)
-        is_ours = not get_default_context().ok()
-        if is_ours:
-            init(args=[])
-        if level != LoggingSeverity.INFO:
-            set_logger_level("", level)
-        try:
-            work(stop)
-        finally:
-            if is_ours:
-                try_shutdown()
-            with self._lock:
-                self._stops.discard(stop)
-
-    def cancel(self) -> None:
-        """End all runs."""
-        with self._lock:
-            for stop in self._stops:
-                stop.set()
-
-
-class Recorder:
-    """Records until `cancel`, Ctrl-C or a shutdown.
-
-    Args:
-        log_level: The least level of what all loggers print: debug, info, warn, error or fatal.
-
-    Raises:
-        ValueError: there is no such level.
-    """
-
-    _runs = _Stoppable()
-
-    def __init__(self, log_level: str = "info") -> None:
-        self._level = _severity(log_level)
-
-    def record(
-        self,
-        storage_options: StorageOptions,
-        record_options: RecordOptions,
-        node_name: str = "rosbag2_recorder",
-    ) -> None:
-        """Record into a new bag.
-
-        Raises:
-            BagError: it can't be written; what was written before stays readable.
-        """
-        mode = record_options.compression_mode.upper()
-        settings = writer_settings(storage_options, "" if mode == "NONE" else mode)
-        options = record_options.to_options()
-        self._runs.run(
-            lambda stop: record(Path(storage_options.uri), settings, options, node_name=node_name, stop=stop),
-            self._level,
-        )
-
-    @staticmethod
-    def cancel() -> None:
-        """End all recordings of this process."""
-        Recorder._runs.cancel()
-
-
-class Player:
-    """Plays until the bag's end, `cancel`, Ctrl-C or a shutdown.
-
-    Args:
-        log_level: The least level of what all loggers print: debug, info, warn, error or fatal.
-
-    Raises:
-        ValueError: there is no such level.
-    """
-
-    _runs = _Stoppable()
-
-    def __init__(self, log_level: str = "info") -> None:
-        self._level = _severity(log_level)
-
-    def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
-        """Play a bag.
-
-        Raises:
-            BagError: it can't be read.
-        """
-        options = play_options.to_options()
-        self._runs.run(lambda stop: play(Path(storage_options.uri), options, stop=stop), self._level)
-
-    def burst(self, storage_options: StorageOptions, play_options: PlayOptions, num_messages: int) -> None:
-        """Publish messages of a bag at once, and go on in the paused state; 0: all messages.
-
-        Raises:
-            BagError: it can't be read.
-        """
-        options = play_options.to_options()
-        options.is_start_paused = True
-        self._runs.run(
-            lambda stop: play(Path(storage_options.uri), options, burst=num_messages, stop=stop), self._level
-        )
-
-    @staticmethod
-    def cancel() -> None:
-        """End all playing of this process."""
-        Player._runs.cancel()
 
 
 def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
@@ -307,12 +225,6 @@ def bag_rewrite(arg0: Sequence[StorageOptions], arg1: str) -> None:
     is_path = os.path.isfile(arg1)  # noqa: PTH113 - a Path raises OSError for a text longer than names may be
     outputs = read_outputs(Path(arg1)) if is_path else parse_outputs(arg1, Path("output_options"))
     convert([Path(storage_options.uri) for storage_options in arg0], outputs)
-
-
-def _severity(log_level: str) -> LoggingSeverity:
-    if log_level not in {"debug", "info", "warn", "error", "fatal"}:
-        raise ValueError(f"there is no log level '{log_level}': debug, info, warn, error or fatal")
-    return get_logging_severity_from_string(log_level.upper())
 
 
 def _services(names: Sequence[str]) -> list[str]:

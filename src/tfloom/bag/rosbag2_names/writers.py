@@ -76,6 +76,7 @@ def writer_settings(options: StorageOptions, mode: str = "") -> WriterSettings:
         compression_mode=mode,
         custom_data=dict(options.custom_data),
         is_snapshot=options.snapshot_mode,
+        snapshot_duration_ns=options.max_cache_duration * 1_000_000_000,
     )
 
 
@@ -129,24 +130,42 @@ class SequentialWriter:
         self._opened().remove_topic(arg0.name)
         self._channels.pop(arg0.name, None)
 
-    def write(self, topic_name: str, message: bytes, time_stamp: int) -> None:
+    def write(
+        self,
+        topic_name: str,
+        message: bytes,
+        time_stamp: int | None = None,
+        send_timestamp: int | None = None,
+        sequence_number: int = 0,  # noqa: ARG002 - files have none here
+        *,
+        recv_timestamp: int | None = None,
+    ) -> None:
         """Add a message.
 
         Args:
             topic_name: A topic that was created.
             message: The serialized message.
             time_stamp: Its log time [ns since epoch].
+            send_timestamp: When it was published [ns since epoch]; None: at its log time.
+            sequence_number: Accepted and not used.
+            recv_timestamp: The log time, by its name from Lyrical on.
 
         Raises:
             BagError: no bag is open, the topic was not created, or the bag can't be written.
+            TypeError: there is no log time, or there are two.
         """
+        given = [stamp_ns for stamp_ns in (time_stamp, recv_timestamp) if stamp_ns is not None]
+        if len(given) != 1:
+            raise TypeError("write() needs one log time in nanoseconds: time_stamp, or recv_timestamp")
+        (log_ns,) = given
         writer = self._opened()
         channel = self._channels.get(topic_name)
         if channel is None:
             raise BagError(
                 writer.folder, f"Topic '{topic_name}' has not been created yet! Call 'create_topic' first."
             )
-        writer.push(channel, bytes(message), time_stamp, time_stamp)
+        sent_ns = log_ns if send_timestamp is None else send_timestamp
+        writer.push(channel, bytes(message), log_ns, sent_ns)
 
     def split_bagfile(self) -> None:
         """Complete the present file, and begin the next one.

@@ -11,7 +11,7 @@ from enum import Enum
 from pathlib import Path
 from typing import NamedTuple
 
-from tfloom._native import Chunk, ChunkQueue
+from tfloom._native import Chunk, ChunkQueue, ChunkSink
 from tfloom.bag.errors import BagError
 from tfloom.bag.metadata import METADATA_FILE, FileInformation, Metadata
 from tfloom.bag.reading.compression import CompressionError, lz4_frame, zstd
@@ -22,6 +22,7 @@ from tfloom.bag.writing.metadata_text import (
     metadata_file_text,
     metadata_text,
 )
+from tfloom.bag.writing.repeated import UNLIMITED, RepeatedMessages, chunk_of, later_part
 from tfloom.bag.writing.storage import STORAGES, StorageFile, StorageSettings, TopicTable
 from tfloom.common.files import write_file
 from tfloom.ros_imports import ros_distro
@@ -64,7 +65,6 @@ def open_storage_file(
 
 DEFAULT_CACHE_SIZE = 100 * 1024 * 1024
 """Of each of the two buffers [bytes]."""
-_UNLIMITED = 1 << 62
 TIME_FORMAT = "%Y_%m_%d-%H_%M_%S"
 """Of the local time in the names of bags."""
 
@@ -89,7 +89,9 @@ class WriterSettings(NamedTuple):
     custom_data: Mapping[str, str] = {}
     """Texts for metadata.yaml, by name."""
     is_snapshot: bool = False
-    """Whether messages wait, the oldest discarded in a full cache, until `write_snapshot`."""
+    """Whether messages wait, the oldest discarded in a full cache, until `write_present`."""
+    snapshot_duration_ns: int = 0
+    """How much older than its last message a snapshot's others may be; 0 is no limit."""
 
 
 class State(Enum):
@@ -128,7 +130,7 @@ class BagWriter:
         self.settings = settings or WriterSettings()
         limits = (
             *(self.settings.max_file_size, self.settings.max_file_duration_ns),
-            *(self.settings.max_files, self.settings.cache_size),
+            *(self.settings.max_files, self.settings.cache_size, self.settings.snapshot_duration_ns),
         )
         if min(limits) < 0:
             raise BagError(
@@ -138,6 +140,11 @@ class BagWriter:
         check_compression(folder, self.settings)
         self._on_split = on_split
         self.queue = make_queue(self.settings)
+        self._repeated = RepeatedMessages()
+        self._apart: dict[int, ChunkQueue] = {}
+        """In snapshot mode, the queues of repeated channels, whose last messages the others must not displace."""
+        self._is_paused = False
+        self._simulated_ns: int | None = None
         self.state = State.OPEN
         self._topics = TopicTable()
         self._file_counts: list[Counter[int]] = []
@@ -194,6 +201,44 @@ class BagWriter:
         self._topics.remove(name)
         self._topics.restore(list(self._counts()))
 
+    def repeat(self, number: int, depth: int) -> None:
+        """Begin each further file, and each snapshot, with the last messages of a channel; before its `sink`.
+
+        Args:
+            number: The channel's.
+            depth: How many messages, above 0.
+        """
+        self._repeated.add(number, depth)
+        if self.settings.is_snapshot:
+            queue = ChunkQueue(1, min(self.settings.cache_size or DEFAULT_CACHE_SIZE, UNLIMITED), ring=True)
+            queue.set_paused(self._is_paused)
+            queue.set_simulated_time(self._simulated_ns)
+            self._apart[number] = queue
+
+    def sink(self, number: int) -> ChunkSink:
+        """Return a sink for the samples of a channel."""
+        return self._apart.get(number, self.queue).sink(number)
+
+    def set_paused(self, is_paused: bool) -> None:
+        """Set whether messages are discarded."""
+        self._is_paused = is_paused
+        for queue in self._queues():
+            queue.set_paused(is_paused)
+
+    def set_simulated_time(self, now_ns: int | None) -> None:
+        """Set the log time of samples [ns since epoch]; 0: unknown, none is stored; None: their time of receipt."""
+        self._simulated_ns = now_ns
+        for queue in self._queues():
+            queue.set_simulated_time(now_ns)
+
+    def close_queues(self) -> None:
+        """Take no more messages."""
+        for queue in self._queues():
+            queue.close()
+
+    def _queues(self) -> list[ChunkQueue]:
+        return [self.queue, *self._apart.values()]
+
     def push(self, channel: int, data: bytes, log_time_ns: int, publish_time_ns: int) -> None:
         """Add a message, and write the chunks that are complete.
 
@@ -223,7 +268,35 @@ class BagWriter:
             BagError: they can't be written; what was written before stays readable.
         """
         self.queue.seal()
-        self.write_complete()
+        if self.settings.is_snapshot:
+            self._write_snapshot()
+        else:
+            self.write_complete()
+
+    def _write_snapshot(self) -> None:
+        chunks = _taken(self.queue)
+        apart = [
+            message
+            for queue in self._apart.values()
+            for chunk in _taken(queue)
+            for message in chunk.messages()
+        ]
+        apart.sort(key=lambda message: message[1])
+        newest_ns = max([*(chunk.end_ns for chunk in chunks), *(message[1] for message in apart)], default=0)
+        start_ns = min((chunk.start_ns for chunk in chunks), default=0)
+        if self.settings.snapshot_duration_ns:
+            start_ns = max(start_ns, newest_ns - self.settings.snapshot_duration_ns)
+        # What is older than all others would be far before the snapshot's beginning: only its last messages are wanted.
+        self._repeated.note_messages(message for message in apart if message[1] < start_ns)
+        recent = [message for message in apart if message[1] >= start_ns]
+        first = self._repeated.chunk_at(start_ns or newest_ns)
+        self._repeated.note_messages(recent)
+        parts = [first, *(later_part(chunk, start_ns) for chunk in chunks), chunk_of(recent)]
+        chunks = [chunk for chunk in parts if chunk is not None]
+        # All of them are held until they are in a file: they are in the queue no more.
+        self._unwritten += chunks
+        for chunk in chunks:
+            self.write_chunk(chunk)
 
     def write_rest(self) -> None:
         """Write all messages that are waiting; the queue must not grow meanwhile.
@@ -251,15 +324,23 @@ class BagWriter:
         with self._failing():
             if self._file is None:  # the one before could be completed, but the next one not opened
                 self._file = self._open_file()
-            whole = self._compressed(chunk) if self.settings.compression_mode == "MESSAGE" else chunk
-            self._file.write(whole)
+            if not self.settings.is_snapshot and not self._files[-1].message_count and self._opened_count > 1:
+                self._write_repeated(self._file, chunk.start_ns)
+            self._file.write(self._stored(chunk))
         self._unwritten.remove(chunk)
         self._count(chunk)
+        if not self.settings.is_snapshot:
+            self._repeated.note(chunk)
         # The queue ends files by their duration, and knows nothing of their size, so it must be told that this one
         # ends here: the duration of the next file is counted from the next message.
         if 0 < self.settings.max_file_size <= self._file.size:
             self.queue.restart_file()
             self.split()
+
+    def _write_repeated(self, file: StorageFile, stamp_ns: int) -> None:
+        if (chunk := self._repeated.chunk_at(stamp_ns)) is not None:
+            file.write(self._stored(chunk))
+            self._count(chunk)
 
     def split(self) -> None:
         """Complete the file and begin the next one.
@@ -437,15 +518,17 @@ class BagWriter:
             last.path, first_ns, end_ns - first_ns, last.message_count + chunk.message_count
         )
 
-    def _compressed(self, chunk: Chunk) -> Chunk:
-        """Return the chunk with each message compressed."""
+    def _stored(self, chunk: Chunk) -> Chunk:
+        """Return the chunk as the file has it: with each message compressed if that is the mode."""
+        if self.settings.compression_mode != "MESSAGE":
+            return chunk
         from tfloom.bag.writing.compression import compressor
 
         compress = compressor().compress
-        queue = ChunkQueue(_UNLIMITED, _UNLIMITED)
-        for number, log_ns, publish_ns, data in chunk.messages():
-            queue.push(number, compress(data), log_ns, publish_ns)
-        compressed = queue.take(0)
+        compressed = chunk_of(
+            (number, log_ns, publish_ns, compress(data))
+            for number, log_ns, publish_ns, data in chunk.messages()
+        )
         return compressed or chunk
 
     def _failure(self, error: Exception, path: Path | None = None) -> BagError:
@@ -455,6 +538,14 @@ class BagWriter:
             f"it can't be written: {reason or f'{type(error).__name__}: {error}'}. What was recorded before is kept; "
             f"if metadata.yaml is missing, `ros2 bag reindex {self.folder}` writes it.",
         )
+
+
+def _taken(queue: ChunkQueue) -> list[Chunk]:
+    """Return the chunks that wait in a queue, and remove them; the unfinished one must be completed before."""
+    chunks = []
+    while queue.has_chunk and (chunk := queue.take(0)) is not None:
+        chunks.append(chunk)
+    return chunks
 
 
 def check_compression(folder: Path, settings: WriterSettings) -> None:
@@ -474,8 +565,8 @@ def make_queue(settings: WriterSettings) -> ChunkQueue:
     chunk_size = settings.storage.chunk_size
     if settings.max_file_size:
         chunk_size = min(chunk_size, settings.max_file_size)
-    cache_size = min(settings.cache_size or DEFAULT_CACHE_SIZE, _UNLIMITED)
-    duration_ns = min(settings.max_file_duration_ns, _UNLIMITED)
+    cache_size = min(settings.cache_size or DEFAULT_CACHE_SIZE, UNLIMITED)
+    duration_ns = min(settings.max_file_duration_ns, UNLIMITED)
     if settings.is_snapshot:
         return ChunkQueue(max(1, min(chunk_size, cache_size // 8)), cache_size, duration_ns, ring=True)
     return ChunkQueue(min(chunk_size, cache_size), 2 * cache_size, duration_ns)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 from tfloom.cli.bag import conventions, play_arguments
 from tfloom.cli.parser import help_since
@@ -42,5 +41,5 @@ def main(args: argparse.Namespace) -> int:
         with conventions.running_context("info"):
             from tfloom.bag.playing.run import play
 
-            play(Path(args.bag_path), options, burst=args.num_messages)
+            play(play_arguments.paths_of(args), options, burst=args.num_messages)
     return 0

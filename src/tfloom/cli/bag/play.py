@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.bag import conventions, play_arguments
 from tfloom.cli.parser import help_since
 from tfloom.cli.shared import numbers
+from tfloom.ros_imports.ros_distro import PLAY_SHOWS_PROGRESS
 
 if TYPE_CHECKING:
     from tfloom.bag.playing.play_options import PlayOptions
 
 DEFAULT_CLOCK_HZ = 40.0
+DEFAULT_PROGRESS_HZ = 3
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,6 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--disable-loan-message", action="store_true", help="accepted and not used: no message is loaned"
     )
     _add_requests(parser)
+    _add_order_and_progress(parser)
     parser.add_argument(
         "--log-level", choices=conventions.LOG_LEVELS, default="info", help="least level of what is printed"
     )
@@ -141,6 +143,11 @@ def _add_requests(parser: argparse.ArgumentParser) -> None:
         help="send the recorded requests to the services, in place of publishing the recorded events",
     )
     parser.add_argument(
+        "--send-actions-as-client",
+        action="store_true",
+        help=help_since("kilted", "refused: recorded goals can't be sent to action servers here"),
+    )
+    parser.add_argument(
         "--service-requests-source",
         choices=["service_introspection", "client_introspection"],
         default="service_introspection",
@@ -148,14 +155,44 @@ def _add_requests(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def _add_order_and_progress(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--message-order",
+        choices=["received", "sent"],
+        default="received",
+        help=help_since("kilted", "by which of their times messages are played (default received)"),
+    )
+    parser.add_argument(
+        "--progress-bar-update-rate",
+        type=numbers.whole,
+        default=DEFAULT_PROGRESS_HZ if PLAY_SHOWS_PROGRESS else 0,
+        help=help_since(
+            "kilted",
+            "how often the progress is shown on a terminal, in hertz; negative: with each message; 0: never "
+            f"(default {DEFAULT_PROGRESS_HZ})",
+        ),
+    )
+    parser.add_argument(
+        "--progress-bar-separation-lines",
+        type=numbers.count,
+        default=2,
+        help=help_since("kilted", "number of empty lines between logs and progress (default 2)"),
+    )
+
+
 def main(args: argparse.Namespace) -> int:
     """Play until the bag's end, or Ctrl-C."""
+    paths = play_arguments.paths_of(args)
+    if args.send_actions_as_client:
+        from tfloom.bag.playing.play_options import NO_GOALS
+
+        raise conventions.error(NO_GOALS)
     with conventions.explained():
         options = _options(args)
         with conventions.running_context(args.log_level):
             from tfloom.bag.playing.run import play
 
-            play(Path(args.bag_path), options)
+            play(paths, options)
     return 0
 
 
@@ -177,4 +214,7 @@ def _options(args: argparse.Namespace) -> PlayOptions:
     options.has_keyboard = not args.disable_keyboard_controls
     options.publishes_requests = args.publish_service_requests
     options.is_client_source = args.service_requests_source == "client_introspection"
+    options.is_by_sent_time = args.message_order == "sent"
+    options.progress_hz = args.progress_bar_update_rate
+    options.progress_lines = args.progress_bar_separation_lines
     return options

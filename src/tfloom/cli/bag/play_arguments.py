@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import argparse
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tfloom.cli.bag import conventions
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared import numbers
 
 if TYPE_CHECKING:
@@ -14,8 +16,19 @@ if TYPE_CHECKING:
 
 
 def add_path(parser: argparse.ArgumentParser) -> None:
-    """Add the bag, its storage, and how much of it is read ahead."""
-    parser.add_argument("bag_path", type=conventions.bag_path, help="the bag: a folder, or a file")
+    """Add the bag or bags, the storage, and how much is read ahead."""
+    parser.add_argument("bag_path", type=conventions.bag_path, nargs="?", help="the bag: a folder, or a file")
+    parser.add_argument(
+        "-i",
+        "--input",
+        action="append",
+        nargs="+",
+        default=[],
+        metavar=("uri", "storage_id"),
+        help=help_since(
+            "kilted", "a bag, and its storage if it is to be given; once for each of several bags"
+        ),
+    )
     conventions.add_storage(parser)
     parser.add_argument(
         "--read-ahead-queue-size",
@@ -23,6 +36,29 @@ def add_path(parser: argparse.ArgumentParser) -> None:
         default=1000,
         help="number of messages that are read ahead, fewer of large ones (default 1000)",
     )
+
+
+def paths_of(args: argparse.Namespace) -> list[Path]:
+    """Return the bags that are played.
+
+    Raises:
+        CommandError: there is none, one doesn't exist, or the arguments of one are wrong.
+    """
+    if args.bag_path and args.input:
+        raise conventions.error("a bag is named by its path or by -i, not by both")
+    if not args.bag_path and not args.input:
+        raise conventions.error("needs a bag: its path, or -i with the path of each of several")
+    paths = [Path(args.bag_path)] if args.bag_path else []
+    for uri, *storage in args.input:
+        if len(storage) > 1 or not {*storage} <= {*conventions.STORAGES}:
+            raise conventions.error(
+                f"-i needs a path and a storage, {' or '.join(conventions.STORAGES)}, at most"
+            )
+        try:
+            paths.append(Path(conventions.bag_path(uri)))
+        except argparse.ArgumentTypeError as problem:
+            raise conventions.error(str(problem)) from None
+    return paths
 
 
 def add_qos_overrides(parser: argparse.ArgumentParser) -> None:

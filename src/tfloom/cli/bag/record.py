@@ -10,7 +10,7 @@ from tfloom.cli.bag import conventions
 from tfloom.cli.parser import help_since
 from tfloom.cli.shared import numbers
 from tfloom.common.terminal import report
-from tfloom.ros_imports.ros_distro import ALL_RECORDS_ACTIONS, removal
+from tfloom.ros_imports.ros_distro import ALL_RECORDS_ACTIONS, LOSSES_HZ, removal
 
 if TYPE_CHECKING:
     from tfloom.bag.recording.recorded_topics import RecordOptions
@@ -96,6 +96,15 @@ def _add_discovery(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("--include-unpublished-topics", action="store_true", help="record topics without a publisher too")
     add("--include-hidden-topics", action="store_true", help="record hidden topics too")
+    add(
+        "--static-topics-path",
+        type=conventions.existing_file,
+        help=help_since(
+            "lyrical",
+            "YAML file with topics and their types, which are recorded from the start: "
+            "static_topics_and_types_list: [[/topic, package/msg/Type], …]",
+        ),
+    )
     add("--no-discovery", action="store_true", help="record only topics that exist at the start")
     add(
         "-p",
@@ -145,6 +154,34 @@ def _add_writing(parser: argparse.ArgumentParser) -> None:
         help="size in bytes of each of two caches; what doesn't fit in is dropped and counted (default "
         f"{DEFAULT_CACHE_SIZE}, and for 0)",
     )
+    add(
+        "--max-cache-duration",
+        type=numbers.count,
+        default=0,
+        help=help_since(
+            "lyrical",
+            "in snapshot mode, how many seconds a snapshot goes back at most (default 0: as far as the cache)",
+        ),
+    )
+    add(
+        "--repeat-transient-local",
+        nargs="+",
+        default=[],
+        metavar="Topic[=Depth]",
+        help=help_since(
+            "lyrical",
+            "topics with whose last message, or so many, each further file and each snapshot begins",
+        ),
+    )
+    add(
+        "--repeat-all-transient-local",
+        type=numbers.count,
+        default=0,
+        metavar="Depth",
+        help=help_since(
+            "lyrical", "the same for all topics whose publishers are transient local (default 0: none)"
+        ),
+    )
 
 
 def _add_node(parser: argparse.ArgumentParser) -> None:
@@ -153,6 +190,17 @@ def _add_node(parser: argparse.ArgumentParser) -> None:
     add("--start-paused", action="store_true", help="begin in the paused state")
     add("--use-sim-time", action="store_true", help="stamp messages with the time of /clock")
     add("--node-name", default="rosbag2_recorder", help="name of the node (default rosbag2_recorder)")
+    add(
+        "--stats_max_publishing_rate",
+        "--stats-max-publishing-rate",
+        type=numbers.tolerance,
+        default=LOSSES_HZ,
+        help=help_since(
+            "lyrical",
+            "how often events/rosbag2_messages_lost says at most which messages were lost, in hertz; 0: never "
+            "(default 1)",
+        ),
+    )
     add("--custom-data", nargs="*", metavar="KEY=VALUE", help="values for the metadata of the bag")
     add(
         "--snapshot-mode",
@@ -223,6 +271,7 @@ def _checked_folder(args: argparse.Namespace) -> Path:
     wanted = (
         *(args.all, args.all_topics, args.all_services, args.topics, args.topics_positional),
         *(args.services, args.actions, args.all_actions, args.topic_types, args.regex),
+        args.static_topics_path,
     )
     if not any(wanted):
         raise conventions.error(
@@ -236,6 +285,10 @@ def _checked_folder(args: argparse.Namespace) -> Path:
     if args.max_bag_files and not (args.max_bag_size or args.max_bag_duration):
         raise conventions.error(
             "--max-bag-files needs --max-bag-size or --max-bag-duration, at which a file is completed"
+        )
+    if args.max_cache_duration and not args.snapshot_mode:
+        raise conventions.error(
+            "--max-cache-duration needs --snapshot-mode: what is written at once is in no cache"
         )
     if args.compression_format and args.compression_mode == "none":
         raise conventions.error(
@@ -279,13 +332,14 @@ def _settings(args: argparse.Namespace) -> WriterSettings:
         compression_mode="" if args.compression_mode == "none" else args.compression_mode.upper(),
         custom_data=custom,
         is_snapshot=args.snapshot_mode,
+        snapshot_duration_ns=args.max_cache_duration * 1_000_000_000,
     )
 
 
 def _options(args: argparse.Namespace) -> RecordOptions:
     from tfloom.bag.qos_profiles import read_overrides
     from tfloom.bag.recording.recorded_topics import RecordOptions
-    from tfloom.bag.topic_choice import TopicChoice, full_names
+    from tfloom.bag.topic_choice import TopicChoice, full_names, read_static_topics
 
     choice = TopicChoice(
         topics=full_names([*args.topics_positional, *args.topics]),
@@ -314,4 +368,25 @@ def _options(args: argparse.Namespace) -> RecordOptions:
         is_start_paused=args.start_paused,
         use_sim_time=args.use_sim_time,
         has_keyboard=not args.disable_keyboard_controls,
+        static_topics=read_static_topics(Path(args.static_topics_path)) if args.static_topics_path else {},
+        losses_hz=args.stats_max_publishing_rate,
+        repeated=_depths(args.repeat_transient_local),
+        repeats_all=args.repeat_all_transient_local,
     )
+
+
+def _depths(words: list[str]) -> dict[str, int]:
+    """Return the numbers of messages that are repeated, by topic, of words such as `/map=3`.
+
+    Raises:
+        CommandError: a word isn't one.
+    """
+    from tfloom.bag.topic_choice import full_names
+
+    depths = {}
+    for word in words:
+        topic, sign, depth = word.partition("=")
+        if not topic or (sign and not (depth.isdecimal() and int(depth))):
+            raise conventions.error(f"--repeat-transient-local needs Topic or Topic=Depth, not '{word}'")
+        depths[full_names([topic])[0]] = int(depth or 1)
+    return depths
