@@ -52,7 +52,7 @@ PACKAGES = {
     "tf2_geometry_msgs": 21,
     "tf2_sensor_msgs": 2,
     "sensor_msgs_py.point_cloud2": 7,
-    "message_filters": 6,
+    "message_filters": 7,
     "tf_transformations": 41,
     "tf2_kdl": 8,
 }

@@ -21,6 +21,7 @@ SHOW = r"""
 import argparse, inspect, json, os, re, sys, warnings
 from pathlib import Path
 import rclpy
+import rosbag2_py
 from message_filters import ApproximateTimeSynchronizer, Cache, SimpleFilter
 from rclpy.action import ActionServer
 from lifecycle_msgs.msg import TransitionEvent
@@ -32,7 +33,7 @@ from rclpy.action.server import ServerGoalHandle
 from rclpy.context import Context
 from tfloom.node.action.goal_states import GoalEvent
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings, file_name
-from tfloom.cli.bag import record
+from tfloom.cli.bag import play, record
 from tfloom.node.values.scalars import parse_value
 from tfloom.ros_imports import ros_distro
 
@@ -72,6 +73,8 @@ writer = BagWriter(Path(sys.argv[1]), WriterSettings())
 writer.close()
 parser = argparse.ArgumentParser()
 record.add_arguments(parser)
+playing = argparse.ArgumentParser()
+play.add_arguments(playing)
 begin = Path("/a/rosbag2_2026_05_23-10_00_00")
 print(json.dumps({
     "CALL_RAISES_AT_TIMEOUT": outcome(lambda: client.call(Empty.Request(), timeout_sec=0.05)),
@@ -92,6 +95,9 @@ print(json.dumps({
         re.sub(r"\d{4}_\d\d_\d\d-\d\d_\d\d_\d\d$", "TIME", file_name(folder, 2)) for folder in (begin, Path("/a/b"))
     ],
     "ALL_RECORDS_ACTIONS": record._options(parser.parse_args(["-a"])).choice.all_actions,
+    "LOSSES_HZ": record._options(parser.parse_args(["-a"])).losses_hz,
+    "LOSSES_HZ, rosbag2_py": rosbag2_py.RecordOptions().statistics_max_publishing_rate,
+    "PLAY_SHOWS_PROGRESS": play._options(playing.parse_args([sys.argv[1]])).progress_hz,
     "READS_FLOAT_TAG": repr(parse_value("[!!float 10, !!float 0x10]")),
     "REMOVED": outcome(cache.getLastestTime),
     "metadata": writer.info().ros_distro,
@@ -121,6 +127,9 @@ OUTCOMES: dict[str, tuple[Any, Any, Any]] = {
         ["2_rosbag2_TIME", "2_b_TIME"],
     ),
     "ALL_RECORDS_ACTIONS": (False, True, True),
+    "LOSSES_HZ": (0.0, 0.0, 1.0),
+    "LOSSES_HZ, rosbag2_py": (0.0, 0.0, 1.0),
+    "PLAY_SHOWS_PROGRESS": (0, 3, 3),
     "READS_FLOAT_TAG": ("[10, 16]", "[10, 16]", "[10.0, 16.0]"),
     "REMOVED": ("None", ["DeprecationWarning"], ["DeprecationWarning"]),
     "metadata": DISTRIBUTIONS,

@@ -4,6 +4,6 @@
 - transform_listener, listener_base: `drop_in` has the base, too
 - geometry, kdl: transformations of messages
 - point_clouds/: clouds as arrays
-- message_filter, message_filters: messages by their transforms and stamps
+- message_filter, message_filters, delta_filter, input_aligner: messages by their transforms, stamps and changes
 - transformations/: tf_transformations
 """

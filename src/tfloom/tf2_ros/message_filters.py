@@ -82,11 +82,11 @@ class SimpleFilter:
             for filter_ in self._outputs():
                 filter_.clear_after_jump(jump)
 
-    def _outputs(self) -> list[SimpleFilter]:
+    def _outputs(self) -> list[Any]:
         """Return the filters that messages go to from here."""
         callbacks = [callback for callback, _ in list(self.callbacks.values())]
         owners = [getattr(getattr(callback, "func", callback), "__self__", None) for callback in callbacks]
-        return [owner for owner in owners if isinstance(owner, SimpleFilter)]
+        return [owner for owner in owners if hasattr(owner, "clear_after_jump")]
 
 
 class JumpBack:
@@ -105,7 +105,7 @@ class JumpBack:
         self._until_s = monotonic() + margin_ns / 1e9
         self._reached: set[int] = set()
 
-    def reaches(self, filter_: SimpleFilter) -> bool:
+    def reaches(self, filter_: object) -> bool:
         """Return whether a filter learns of it for the first time: there may be several ways to it."""
         number = id(filter_)
         is_first = number not in self._reached
@@ -470,10 +470,13 @@ class TimeSynchronizer(SimpleFilter):
         if stamp is None:
             return
         at = time_ns(stamp)
+        sent_ns = at
+        if my_queue_index is not None:
+            at += self._offset_ns(my_queue_index)
         # Choose and remove under the lock, because other filters add messages on other threads, and a message must be
         # in one set only. Call the callbacks after it, because they may add messages.
         with self.lock:
-            if self._jump is not None and self._jump.has_overtaken(at):
+            if self._jump is not None and self._jump.has_overtaken(sent_ns):
                 return
             my_queue[at] = msg
             while len(my_queue) > self.queue_size:
@@ -491,6 +494,10 @@ class TimeSynchronizer(SimpleFilter):
             for queue in self.queues:
                 queue.clear()
         super().clear_after_jump(jump)
+
+    def _offset_ns(self, index: int) -> int:
+        """Return what is added to the stamps of a queue before they are compared [ns]."""
+        return 0
 
     def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
         """Return the stamps in the queues of a set with a message of the queue `own`; None if there is no such set."""
@@ -521,7 +528,8 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         slop: Upper limit for the difference of stamps, exclusive [s]; 0: equal stamps only.
         allow_headerless: Whether a message without a header is stamped with its time of arrival, by the clock of the
             subscribers' node. From Kilted on, `queue_offset` is before it in the order of arguments.
-        queue_offset: Only False.
+        queue_offset: What is added to the stamps of each filter's messages before they are compared [ns], a number for
+            each filter; False: nothing.
         sync_arrival_time: Whether each message counts by its time of arrival.
     """
 
@@ -532,18 +540,20 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         slop: float,
         allow_headerless: bool = False,
         *,
-        queue_offset: bool = False,
+        queue_offset: Sequence[int] | bool = False,
         sync_arrival_time: bool = False,
     ) -> None:
-        if queue_offset:
-            raise ValueError(
-                "ApproximateTimeSynchronizer has no queue_offset here, only queue_offset=False. From Kilted on this is "
-                "the fourth argument; for the one of Jazzy write allow_headerless=True"
-            )
+        self.queue_offset: Sequence[int] = ()
         super().__init__(fs, queue_size)
+        if (error := _offset_error(queue_offset, len(self.queues))) is not None:
+            raise error
+        self.queue_offset = () if isinstance(queue_offset, bool) else tuple(queue_offset)
         self.slop = Duration(seconds=slop)
         self.allow_headerless = allow_headerless
         self.sync_arrival_time = sync_arrival_time
+
+    def _offset_ns(self, index: int) -> int:
+        return self.queue_offset[index] if self.queue_offset else 0
 
     def _match(self, own: dict[int, Any], stamp: int) -> tuple[int, ...] | None:
         slop = self.slop.nanoseconds or 1
@@ -557,6 +567,24 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         return next((stamps for stamps in product(*choices) if max(stamps) - min(stamps) < slop), None)
 
 
+def _offset_error(offsets: Any, count: int) -> TypeError | ValueError | None:
+    """Return the error of what was given as the offsets of so many filters, or None if they can be used."""
+    if offsets is True:
+        return ValueError(
+            "queue_offset=True says nothing: from Kilted on, the fourth argument is a list of nanoseconds; for that of "
+            "Jazzy write allow_headerless=True"
+        )
+    if offsets is False:
+        return None
+    if not isinstance(offsets, Iterable) or not all(isinstance(offset, int) for offset in offsets):
+        return TypeError(f"queue_offset must be a list of int [ns], got {given_text(offsets)}")
+    if len(list(offsets)) != count:
+        return ValueError(
+            f"queue_offset needs a number for each of {count} filters, got {len(list(offsets))}"
+        )
+    return None
+
+
 _init_by_jazzy = ApproximateTimeSynchronizer.__init__
 
 
@@ -565,7 +593,7 @@ def _init_since_kilted(
     fs: Sequence[Any],
     queue_size: int,
     slop: float,
-    queue_offset: bool = False,
+    queue_offset: Sequence[int] | bool = False,
     allow_headerless: bool = False,
     sync_arrival_time: bool = False,
 ) -> None:
