@@ -171,35 +171,9 @@ std::string whole_path(const cdr::Plan& plan, const cdr::PathError& error) {
   return std::string(plan.base_name()) + (error.path.empty() ? "" : "." + error.path);
 }
 
-// The bytes object into which a message is encoded.
-class BytesStorage {
- public:
-  std::span<std::byte> resize(std::size_t size) {
-    PyObject* bytes = bytes_.release().ptr();
-    if (bytes == nullptr) {
-      bytes = PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size));
-    } else {
-      _PyBytes_Resize(&bytes, static_cast<Py_ssize_t>(size));
-    }
-    if (bytes == nullptr) throw nb::python_error();
-    bytes_ = nb::steal(bytes);
-    return {reinterpret_cast<std::byte*>(PyBytes_AS_STRING(bytes)), size};
-  }
-
-  nb::bytes take(std::size_t size) {
-    if (static_cast<std::size_t>(PyBytes_GET_SIZE(bytes_.ptr())) != size) resize(size);
-    return nb::borrow<nb::bytes>(bytes_);
-  }
-
- private:
-  nb::object bytes_;
-};
-
-nb::bytes encode(const nb::handle& message) {
-  ObjectPlan& plan = plan_of(Py_TYPE(message.ptr()));
-  BytesStorage storage;
-  cdr::Writer out(storage, plan.last_size);
-  ObjectReader reader;
+// Encode a message. Raise the EncodeError of Python for a value that does not fit its field.
+template <class Storage>
+void encode_into(cdr::Writer<Storage>& out, ObjectReader& reader, nb::handle message, const ObjectPlan& plan) {
   try {
     cdr::Encoder(reader, out).message(nb::borrow(message), plan);
   } catch (const cdr::EncodeError& error) {
@@ -208,9 +182,6 @@ nb::bytes encode(const nb::handle& message) {
     raise_codec_error(message_hooks().encode_error, path + (reason.front() == ':' ? "" : " ") + reason,
                       nb::cast(path), nb::cast(reason), nb::none());
   }
-  plan.last_size = out.size();
-  keep_memory_of(out.size());
-  return storage.take(out.size());
 }
 
 nb::object decode_bytes(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes) {
@@ -237,6 +208,70 @@ nb::object decode(const nb::type_object& message_class, const nb::handle& data) 
 
 }  // namespace
 
+std::span<std::byte> BytesStorage::resize(std::size_t size) {
+  PyObject* bytes = bytes_.release().ptr();
+  if (bytes == nullptr) {
+    bytes = PyBytes_FromStringAndSize(nullptr, static_cast<Py_ssize_t>(size));
+  } else {
+    _PyBytes_Resize(&bytes, static_cast<Py_ssize_t>(size));
+  }
+  if (bytes == nullptr) throw nb::python_error();
+  bytes_ = nb::steal(bytes);
+  return {reinterpret_cast<std::byte*>(PyBytes_AS_STRING(bytes)), size};
+}
+
+nb::bytes BytesStorage::take(std::size_t size) {
+  if (static_cast<std::size_t>(PyBytes_GET_SIZE(bytes_.ptr())) != size) resize(size);
+  return nb::borrow<nb::bytes>(bytes_);
+}
+
+// What is not large goes into bytes; the large arrays stay where they are.
+class EncodedMessage::Storage : public BytesStorage {
+ public:
+  static constexpr std::size_t min_referred = 64 << 10;
+
+  struct Referred {
+    std::size_t offset;  // in the bytes
+    std::span<const std::byte> bytes;
+  };
+
+  void refer(std::size_t offset, std::span<const std::byte> bytes) { referred.push_back({offset, bytes}); }
+
+  std::vector<Referred> referred;
+};
+
+EncodedMessage::EncodedMessage(nb::handle message) : reader_(Storage::min_referred) {
+  ObjectPlan& plan = plan_of(Py_TYPE(message.ptr()));
+  Storage storage;
+  cdr::Writer out(storage, plan.last_stored_size);
+  encode_into(out, reader_, message, plan);
+  plan.last_size = out.size();
+  plan.last_stored_size = out.stored_size();
+  keep_memory_of(out.size());
+  stored_ = storage.take(out.stored_size());
+  const std::span stored(static_cast<const std::byte*>(stored_.data()), stored_.size());
+  std::size_t begin = 0;
+  for (const auto& [offset, bytes] : storage.referred) {
+    if (offset > begin) parts_.push_back(stored.subspan(begin, offset - begin));
+    parts_.push_back(bytes);
+    begin = offset;
+  }
+  if (stored.size() > begin) parts_.push_back(stored.subspan(begin));
+}
+
+bool is_large(nb::handle message) { return plan_of(Py_TYPE(message.ptr())).last_size >= min_kept_memory; }
+
+nb::bytes encode_message(nb::handle message) {
+  ObjectPlan& plan = plan_of(Py_TYPE(message.ptr()));
+  BytesStorage storage;
+  cdr::Writer out(storage, plan.last_size);
+  ObjectReader reader;
+  encode_into(out, reader, message, plan);
+  plan.last_size = out.size();
+  keep_memory_of(out.size());
+  return storage.take(out.size());
+}
+
 nb::object decode_message(const ObjectPlan& plan, PyTypeObject* type, std::span<const std::byte> bytes) {
   keep_memory_of(bytes.size());
   cdr::Cursor in(bytes);
@@ -260,7 +295,7 @@ void bind_cdr(nb::module_& m) {
            "when a numeric array is decoded.");
   m.def("complete_plan", &complete_plan, "plan"_a,
         "Complete a plan after its last field. From now on it allocates and frees the objects of its class.");
-  m.def("encode", &encode, "message"_a, "Return a message as encapsulation header and CDR, little-endian, not padded.");
+  m.def("encode", &encode_message, "message"_a, "Return a message as encapsulation header and CDR, little-endian, not padded.");
   m.def("decode", &decode, "message_class"_a, "data"_a,
         nb::sig("def decode(message_class: type, data: object) -> typing.Any"),
         "Return a message of `message_class`, decoded from encapsulation header and CDR.");

@@ -8,6 +8,7 @@
 #include <nanobind/stl/tuple.h>
 
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -101,6 +102,18 @@ bool write(Writer& writer, const nb::bytes& data) {
   const std::span view(static_cast<const std::byte*>(data.data()), data.size());
   const ReleasedGil released;
   return writer.write(view);
+}
+
+// A large message is copied once, with the GIL, under which its arrays don't change.
+bool write_message(Writer& writer, const nb::handle& message) {
+  if (!is_large(message)) return write(writer, encode_message(message));
+  std::optional<Writer::Sample> sample;
+  {
+    const EncodedMessage encoded(message);
+    sample.emplace(writer.make(encoded.parts()));
+  }
+  const ReleasedGil released;
+  return writer.send(std::move(*sample));
 }
 
 // Share the sink with a reader, which may release it on any thread.
@@ -202,6 +215,7 @@ void bind_participant(nb::module_& m) {
 }
 
 void bind_writer(nb::module_& m) {
+  nb::exception<dds::Error>(m, "DdsError", PyExc_RuntimeError);
   nb::class_<Writer> writer(m, "DdsWriter", "A writer of a DDS topic.");
   bind_endpoint(writer);
   writer
@@ -212,6 +226,8 @@ void bind_writer(nb::module_& m) {
       .def("write", &write, "data"_a,
            "Send a sample: encapsulation header 00 01 xx xx and little-endian CDR. Return False if readers lag behind and "
            "this writer doesn't wait for them: then nothing was sent.")
+      .def("write_message", &write_message, "message"_a,
+           "Encode and send a message. Its large arrays are copied once. For a writer that is an end of no service.")
       .def(
           "join_service",
           [](Writer& self, Reader& reader, const std::string& service, const std::optional<nb::bytes>& client) {

@@ -13,7 +13,9 @@
 
 namespace tfloom::cdr {
 
-// Storage has `std::span<std::byte> resize(std::size_t)`, which keeps the contents and may move them.
+// Storage has `std::span<std::byte> resize(std::size_t)`, which keeps the contents and may move them. If it has
+// `min_referred`, numbers of at least that many bytes are not copied: `void refer(std::size_t offset, std::span<const
+// std::byte>)` is called with them, and with the number of bytes of the storage that come before them.
 template <class Storage>
 class Writer {
  public:
@@ -23,7 +25,9 @@ class Writer {
     at_ = Cursor::header_size;
   }
 
+  // The size of all that was written, and of that in the storage [bytes].
   [[nodiscard]] std::size_t size() const noexcept { return at_; }
+  [[nodiscard]] std::size_t stored_size() const noexcept { return at_ - referred_; }
 
   template <Number T>
   void write(T value) {
@@ -36,6 +40,16 @@ class Writer {
   template <Number T>
   void write_all(std::span<const std::byte> bytes) {
     if (bytes.empty()) return;
+    if constexpr (requires { Storage::min_referred; }) {
+      const bool is_as_written = std::endian::native == std::endian::little || sizeof(T) == 1;
+      if (is_as_written && bytes.size() >= Storage::min_referred) {
+        reserve(sizeof(T), 0);  // the gap
+        storage_.refer(stored_size(), bytes);
+        at_ += bytes.size();
+        referred_ += bytes.size();
+        return;
+      }
+    }
     std::byte* to = reserve(sizeof(T), bytes.size());
     std::memcpy(to, bytes.data(), bytes.size());
     if constexpr (std::endian::native == std::endian::big && sizeof(T) > 1) {
@@ -53,8 +67,8 @@ class Writer {
  private:
   std::byte* reserve(std::size_t alignment, std::size_t count) {
     const std::size_t gap = (Cursor::header_size - at_) & (alignment - 1);
-    if (memory_.size() - at_ < gap + count) grow(gap + count);
-    std::byte* to = memory_.data() + at_;
+    if (memory_.size() - stored_size() < gap + count) grow(gap + count);
+    std::byte* to = memory_.data() + stored_size();
     for (std::size_t i = 0; i < gap; ++i) to[i] = std::byte{0};
     at_ += gap + count;
     return to + gap;
@@ -62,13 +76,14 @@ class Writer {
 
   // The spare memory is limited, so that writing an image does not double its memory.
   void grow(std::size_t count) {
-    const std::size_t spare = std::min<std::size_t>(at_, 65536) + 64;
-    memory_ = storage_.resize(at_ + count + spare);
+    const std::size_t spare = std::min<std::size_t>(stored_size(), 65536) + 64;
+    memory_ = storage_.resize(stored_size() + count + spare);
   }
 
   Storage& storage_;
   std::span<std::byte> memory_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0;        // in what is written
+  std::size_t referred_ = 0;  // of it, outside the storage
 };
 
 }  // namespace tfloom::cdr

@@ -1,6 +1,7 @@
 #include "dds/writer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,8 @@ constexpr std::size_t min_kept_size = 256;  // below any size of fragments
 constexpr std::size_t max_kept_size = 64 << 20;
 constexpr std::int64_t kept_wait_ns = 100'000'000;
 constexpr int max_kept_waits = 100;
+
+std::size_t padding_of(std::size_t size) { return (alignment - size % alignment) % alignment; }
 
 void check_encapsulation(std::span<const std::byte> data) {
   if (data.size() <= encapsulation_size) {
@@ -53,34 +56,56 @@ Writer::~Writer() { close(); }
 
 bool Writer::write(std::span<const std::byte> data) {
   check_encapsulation(data);
-  // Padded here, because the library would otherwise fill the last word from its heap.
-  static constexpr std::byte zeros[alignment]{};
-  const std::size_t padding = (alignment - data.size() % alignment) % alignment;
-  IoVec parts[2]{};
-  parts[0].iov_base = const_cast<std::byte*>(data.data());
-  parts[0].iov_len = static_cast<decltype(parts[0].iov_len)>(data.size());
-  parts[1].iov_base = const_cast<std::byte*>(zeros);
-  parts[1].iov_len = static_cast<decltype(parts[1].iov_len)>(padding);
-
-  const std::shared_lock lock(in_use_);
+  std::shared_lock lock(in_use_);
   if (closed_) throw Error("the writer is closed");
   bool is_kept = false;
   if (service_end_ && data.size() > min_kept_size) {
-    const std::optional<bool> kept = keep(data, padding);
+    const std::optional<bool> kept = keep(data, padding_of(data.size()));
     if (!kept) return false;
     is_kept = *kept;
   }
-  Serdata_* sample =
-      library_.serdata_from_ser_iov(type_, data_kind, padding == 0 ? 1 : 2, parts, data.size() + padding);
-  if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
-  const Result result = library_.writecdr(entity_.get(), sample);
-  if (result == timeout && !waits_) {
-    if (is_kept) service_end_->release_last();
-    return false;
-  }
+  const bool is_sent = send(Sample(library_, std::move(lock), make_serdata({&data, 1})));
+  if (!is_sent && is_kept) service_end_->release_last();
+  return is_sent;
+}
+
+Writer::Sample Writer::make(Parts parts) {
+  check_encapsulation(parts.front());
+  // Only `close` excludes writes, so nothing is waited for here where it is possible.
+  std::shared_lock lock(in_use_, std::try_to_lock);
+  if (!lock.owns_lock() && !closed_) lock.lock();
+  if (closed_) throw Error("the writer is closed");
+  return {library_, std::move(lock), make_serdata(parts)};
+}
+
+bool Writer::send(Sample&& sample) {
+  Sample sent(std::move(sample));
+  const Result result = library_.writecdr(entity_.get(), std::exchange(sent.serdata_, nullptr));
+  if (result == timeout && !waits_) return false;
   library_.check(result, "cannot write");
   note_message_sent();
   return true;
+}
+
+Serdata_* Writer::make_serdata(Parts parts) const {
+  // Padded here, because the library would otherwise fill the last word from its heap.
+  static constexpr std::byte zeros[alignment]{};
+  std::array<IoVec, 8> few;  // of most messages
+  std::vector<IoVec> many(parts.size() < few.size() ? 0 : parts.size() + 1);
+  IoVec* const vectors = many.empty() ? few.data() : many.data();
+  IoCount count = 0;
+  std::size_t size = 0;
+  const auto add = [&](std::span<const std::byte> part) {
+    IoVec& vector = vectors[count++];
+    vector.iov_base = const_cast<std::byte*>(part.data());
+    vector.iov_len = static_cast<decltype(vector.iov_len)>(part.size());
+    size += part.size();
+  };
+  for (const auto& part : parts) add(part);
+  if (const std::size_t padding = padding_of(size)) add({zeros, padding});
+  Serdata_* sample = library_.serdata_from_ser_iov(type_, data_kind, count, vectors, size);
+  if (sample == nullptr) throw std::invalid_argument("the DDS library refused the sample");
+  return sample;
 }
 
 std::optional<bool> Writer::keep(std::span<const std::byte> data, std::size_t padding) {

@@ -133,6 +133,9 @@ class DdsParticipant:
         Leave the domain, after endpoints and graph are closed. Closing again does nothing.
         """
 
+class DdsError(RuntimeError):
+    pass
+
 class DdsWriter:
     """A writer of a DDS topic."""
 
@@ -164,6 +167,11 @@ class DdsWriter:
     def write(self, data: bytes) -> bool:
         """
         Send a sample: encapsulation header 00 01 xx xx and little-endian CDR. Return False if readers lag behind and this writer doesn't wait for them: then nothing was sent.
+        """
+
+    def write_message(self, message: object) -> bool:
+        """
+        Encode and send a message. Its large arrays are copied once. For a writer that is an end of no service.
         """
 
     def join_service(self, reader: DdsReader, service: str, client: bytes | None) -> None:

@@ -217,6 +217,9 @@ class Writer(Endpoint, Protocol):
     def write(self, data: bytes) -> None:
         """Send one sample: encapsulation header and CDR. Never blocks for longer than the wire's own limit."""
 
+    def write_message(self, message: object) -> None:
+        """Encode and send a message; raise EncodeError, as `cdr.encode`, if a value doesn't fit its field."""
+
     def assert_liveliness(self) -> None:
         """Assert that this writer is alive, as `LivelinessPolicy.MANUAL_BY_TOPIC` requires; a write does so, too."""
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Generic
+from typing import TYPE_CHECKING, Generic, cast
 
-from tfloom._native import encode  # as cdr.encode, with one frame less above its error
 from tfloom.node.endpoints.endpoint import Endpoint
 from tfloom.node.qos.qos import QoSProfile
 from tfloom.node.values.duration import Duration
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.type_support import MsgType, wrong_message
 from tfloom.rmw.errors import ClosedError
+from tfloom.rosidl.message import EncodeError
 
 if TYPE_CHECKING:
     from tfloom.node.context.context import Context
@@ -56,20 +56,21 @@ class Publisher(Endpoint["Writer"], Generic[MsgType]):
             ForkedProcessError: this process is a fork of the one that created the publisher.
             InvalidHandle: the publisher was destroyed.
         """
-        if isinstance(msg, self.msg_type):
-            data = encode(msg)
-        elif isinstance(msg, bytes):
-            data = msg
-        else:
-            self._check_exists()
-            raise TypeError(wrong_message(self.msg_type, msg))
         self._check_exists()
+        is_message = isinstance(msg, self.msg_type)
+        if not (is_message or isinstance(msg, bytes)):
+            raise TypeError(wrong_message(self.msg_type, msg))
         if not self._context.ok():
             self._context.check_not_from_parent_process(f"cannot publish on {self._name}")
             self._context.end_daemon_thread_at_exit()
             raise RCLError("Failed to publish: publisher's context is invalid")
         try:
-            self._endpoint.write(data)
+            if is_message:
+                self._endpoint.write_message(msg)
+            else:
+                self._endpoint.write(cast("bytes", msg))
+        except EncodeError as error:
+            raise error.with_traceback(None) from None  # the frames of the wire say nothing of the mistake
         except ClosedError:
             self._context.end_daemon_thread_at_exit()
             raise

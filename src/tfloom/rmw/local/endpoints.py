@@ -13,7 +13,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import NamedTuple
 
-from tfloom._native import ReadyQueue, Sink
+from tfloom._native import ReadyQueue, Sink, encode
 from tfloom.rmw.base import EndpointInfo, Sample
 from tfloom.rmw.compatibility import incompatible_policies
 from tfloom.rmw.endpoint_events import MATCH_EVENTS, EndpointEvents
@@ -69,6 +69,10 @@ class LocalWriter(LocalEndpoint):
         self._leave = leave
         self._readers: list[LocalReader] = []
         self._late = _new_queue(info.qos)
+
+    def write_message(self, message: object) -> None:
+        """Encode a message, and put it into every matched reader."""
+        self.write(encode(message))
 
     def write(self, data: bytes) -> None:
         """Put a sample into every matched reader.

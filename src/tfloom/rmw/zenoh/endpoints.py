@@ -14,7 +14,7 @@ from collections.abc import Callable
 from contextlib import nullcontext
 from typing import Any
 
-from tfloom._native import ReadyQueue, Sink
+from tfloom._native import ReadyQueue, Sink, encode
 from tfloom.common.signals import signals_deferred
 from tfloom.common.terminal import report, shown_part
 from tfloom.rmw.base import EndpointInfo, Sample
@@ -246,6 +246,10 @@ class ZenohWriter(ZenohEndpoint):
         qos = self.info.qos
         if qos.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC and qos.liveliness_lease_ns < INFINITE_NS:
             self._lease = _OwnLease(self.events, qos.liveliness_lease_ns / _NS_PER_S, self._timers)
+
+    def write_message(self, message: object) -> None:
+        """Encode and send a message, as `write`; raise EncodeError if a value doesn't fit its field."""
+        self.write(encode(message))
 
     def write(self, data: bytes) -> None:
         """Send one sample. A reliable one waits for room for a short time, and without end if it keeps all.
