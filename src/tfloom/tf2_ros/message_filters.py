@@ -624,6 +624,6 @@ def _stamp(msg: Any, allow_headerless: bool, clock: Clock | None, *, by_arrival:
             f"dropped a {type(msg).__name__} without a header: allow_headerless=True stamps it with its time of arrival"
         )
         return None
-    from tfloom.node.clock.clock import ROSClock
+    from tfloom.node.clock.clock import Clock
 
-    return (clock or ROSClock()).now()
+    return (clock or Clock(clock_type=ClockType.ROS_TIME)).now()

@@ -7,7 +7,6 @@ from typing import Any
 from tfloom.cli.api.answers import argument_key
 from tfloom.cli.api.nodes import GraphNode, NodeStrategy, node_of
 from tfloom.cli.shared.names import full_name
-from tfloom.node.action import graph as action_graph
 from tfloom.rosidl.runtime import get_action
 from tfloom.rosidl.yaml_text import message_to_yaml
 from tfloom.workspace.interfaces import known_interfaces
@@ -35,8 +34,8 @@ def get_action_clients_and_servers(
     for node_name, namespace in dict.fromkeys(asker.get_node_names_and_namespaces()):
         full = f"{namespace.rstrip('/')}/{node_name}"
         try:
-            used = action_graph.get_action_client_names_and_types_by_node(asker, node_name, namespace)
-            served = action_graph.get_action_server_names_and_types_by_node(asker, node_name, namespace)
+            used = asker.get_action_client_names_and_types_by_node(node_name, namespace)
+            served = asker.get_action_server_names_and_types_by_node(node_name, namespace)
         except RuntimeError:  # the node has left the graph
             continue
         clients += [(full, types) for action, types in used if action == name]
@@ -46,7 +45,7 @@ def get_action_clients_and_servers(
 
 def get_action_names_and_types(*, node: GraphNode) -> NamesAndTypes:
     """Return the actions on the graph, with their types."""
-    return action_graph.get_action_names_and_types(node_of(node))
+    return node_of(node).get_action_names_and_types()
 
 
 def get_action_names(*, node: GraphNode) -> list[str]:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from functools import partial
 from typing import Any, NamedTuple
 
 from tfloom.cli.api.answers import argument_key
 from tfloom.cli.api.nodes import HIDDEN_NODE_PREFIX, GraphNode, NodeStrategy, node_of
 from tfloom.cli.plugins.helpers import wait_for
 from tfloom.cli.shared.names import full_name
-from tfloom.node.action import graph as action_graph
 from tfloom.node.values.names import topic_or_service_is_hidden
 
 __all__ = [
@@ -126,7 +124,7 @@ def get_action_server_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the actions that a node serves; RuntimeError if there is no such node."""
-    query = partial(action_graph.get_action_server_names_and_types_by_node, node_of(node))
+    query = node_of(node).get_action_server_names_and_types_by_node
     return _shown(get_topics(remote_node_name, query), include_hidden)
 
 
@@ -134,7 +132,7 @@ def get_action_client_info(
     *, node: GraphNode, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
     """Return the actions that a node is a client of; RuntimeError if there is no such node."""
-    query = partial(action_graph.get_action_client_names_and_types_by_node, node_of(node))
+    query = node_of(node).get_action_client_names_and_types_by_node
     return _shown(get_topics(remote_node_name, query), include_hidden)
 
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from tfloom.cli.shared.graph import MAX_WAIT_S, wait_until_quiet
 from tfloom.cli.shared.numbers import seconds
-from tfloom.node.action import graph as action_graph
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import ok, try_shutdown
 from tfloom.node.node import Node
@@ -20,8 +19,6 @@ from tfloom.node.parameters.parameter import Parameter
 
 if TYPE_CHECKING:
     from typing_extensions import Self
-
-    from tfloom.node.base.node_graph import NamesAndTypes
 
 __all__ = [
     "DEFAULT_TIMEOUT",
@@ -96,18 +93,6 @@ class DirectNode(Node):
     def _leave_context(self) -> None:
         if self._is_context_own:
             try_shutdown()
-
-    def get_action_names_and_types(self) -> NamesAndTypes:
-        """Return all actions on the graph, with their types."""
-        return action_graph.get_action_names_and_types(self)
-
-    def get_action_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the actions that a node is a client of; RuntimeError if there is no such node."""
-        return action_graph.get_action_client_names_and_types_by_node(self, node_name, node_namespace)
-
-    def get_action_server_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
-        """Return the actions that a node serves; RuntimeError if there is no such node."""
-        return action_graph.get_action_server_names_and_types_by_node(self, node_name, node_namespace)
 
 
 def add_node_arguments(parser: argparse.ArgumentParser) -> None:

@@ -12,7 +12,7 @@ from tfloom.node.base.base_classes import BaseNode
 from tfloom.node.base.node_entities import NodeEntities
 from tfloom.node.base.node_graph import NamesAndTypes, NodeGraph, actions_of_topics
 from tfloom.node.base.node_names import NodeNames
-from tfloom.node.clock.clock import Clock, ROSClock
+from tfloom.node.clock.clock import Clock
 from tfloom.node.context.arguments import Arguments
 from tfloom.node.endpoints.client import Client
 from tfloom.node.endpoints.publisher import Publisher
@@ -194,7 +194,7 @@ class NodeBase:
             participant,
             names.node,
             context=context,
-            clock=ROSClock(),
+            clock=Clock(clock_type=ClockType.ROS_TIME),
             logger=RcutilsLogger(names.node.full.strip("/").replace("/", "."), FilterTable()),
         )
         self.__graph = NodeGraph(names, participant.graph)

@@ -16,6 +16,7 @@ from tfloom.node.values.duration import S_TO_NS, Duration
 from tfloom.node.values.exceptions import NotInitializedException
 from tfloom.node.values.handle import Handle
 from tfloom.node.values.time import ClockType, ReadableClock, Time
+from tfloom.ros_imports.ros_distro import warn_if_removed
 
 if TYPE_CHECKING:
     from types import TracebackType
@@ -192,10 +193,11 @@ class Clock(ReadableClock):
 
 
 class ROSClock(Clock):
-    """System time, or simulated time while that is active."""
+    """System time, or simulated time while that is active; `Clock(clock_type=ClockType.ROS_TIME)` makes one, too."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.ROS_TIME) -> Self:
-        """Return a ROS clock."""
+        """Return a ROS clock; a DeprecationWarning from Lyrical on."""
+        warn_if_removed("rclpy.clock.ROSClock")
         return super().__new__(cls, clock_type=clock_type)
 
     def __init__(self, *, clock_type: ClockType = ClockType.ROS_TIME) -> None:
