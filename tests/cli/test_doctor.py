@@ -6,7 +6,9 @@ import json
 import os
 import re
 import sys
+from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
 import transcript
@@ -15,6 +17,7 @@ from tests.zenoh_ports import use_port_of
 from tfloom.cli.doctor import checks as health
 from tfloom.cli.doctor.checks import Interface, check_domain, check_network, check_reach
 from tfloom.cli.doctor.finding import Verdict
+from tfloom.cli.shared import graph
 from tfloom.interfaces.std_msgs.msg import Empty
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.rmw.backends import open_participant
@@ -242,6 +245,29 @@ def test_link_to_our_own_command_is_ours(tmp_path: Path, monkeypatch: pytest.Mon
     (tmp_path / "bin" / "ros2").unlink()
     (tmp_path / "bin" / "ros2").touch(mode=0o755)
     assert health.check_commands().verdict is Verdict.WARNING
+
+
+def test_checks_of_the_domain_join_it_once_and_the_next_run_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    monkeypatch.setenv("ROS_DOMAIN_ID", "1")
+    joined: list[int] = []
+
+    def open_counted() -> Any:
+        joined.append(1)
+        return open_participant()
+
+    monkeypatch.setattr(graph, "open_participant", open_counted)
+    for number in (1, 2):
+        with closing(open_participant()) as other:
+            other.add_node(NodeName("/", f"server{number}"))
+            other.create_responder(
+                NodeName("/", f"server{number}"), service_of(SetBool, f"/trigger{number}"), QoS()
+            )
+            chosen = health.checks()
+            findings = {name: chosen[name]() for name in health.DOMAIN_CHECKS}
+        assert all(finding.verdict is Verdict.OK for finding in findings.values())
+        assert list(findings["services"].details) == [f"/trigger{number}"]
+        assert len(joined) == number
 
 
 def test_checks_for_other_programs(monkeypatch: pytest.MonkeyPatch) -> None:

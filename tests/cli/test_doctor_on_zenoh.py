@@ -11,7 +11,7 @@ from tests.zenoh_ports import NEEDS_ZENOH, use_port_of
 
 from tfloom.cli.doctor.checks import check_domain
 from tfloom.cli.doctor.finding import Verdict
-from tfloom.cli.doctor.peers import check_peers
+from tfloom.cli.doctor.peers import SharedDomain, check_peers
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName
@@ -30,10 +30,10 @@ def zenoh_environment(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> Iterat
 
 
 def test_sessions_are_counted_and_no_vendor_of_dds_is_named(start_program: Callable[..., Program]) -> None:
-    assert check_peers()[:2] == (Verdict.OK, "no other session on the domain")
+    assert check_peers(SharedDomain())[:2] == (Verdict.OK, "no other session on the domain")
     program = start_program("tfloom", "run", "demo_nodes_cpp", "talker")
     program.wait_for("Publishing")
-    finding = check_peers()
+    finding = check_peers(SharedDomain())
     assert finding[:3] == (Verdict.OK, "other sessions: 1; topics and services pass", "")
     assert list(finding.details.values()) == ["/talker"]
 
@@ -45,7 +45,7 @@ def test_definitions_that_differ_are_named_with_the_nodes_of_each() -> None:
         there.add_node(NodeName("/", "listener"))
         here.create_writer(NodeName("/", "talker"), chatter, QoS())
         there.create_reader(NodeName("/", "listener"), chatter._replace(type_hash=OTHER_HASH), QoS())
-        finding = check_peers()
+        finding = check_peers(SharedDomain())
     assert finding.verdict is Verdict.WARNING
     assert finding.summary == (
         "other sessions: 2; definitions differ, so that nothing passes between some nodes, on /chatter "

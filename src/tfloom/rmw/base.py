@@ -13,6 +13,9 @@ from tfloom._native import ReadyQueue, Sink
 from tfloom.rmw.events import Event, Status
 from tfloom.rmw.qos import QoS
 
+PREFIX_LENGTH = 12
+"""The bytes of a gid on DDS that are the participant's."""
+
 
 class Sample(NamedTuple):
     """One message received from the wire."""

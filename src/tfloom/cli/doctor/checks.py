@@ -8,13 +8,14 @@ import shutil
 import sys
 import time
 from collections.abc import Callable, Iterator
+from functools import partial
 from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import tfloom
 from tfloom.cli.doctor.finding import Finding, Verdict
-from tfloom.cli.doctor.peers import check_peers, check_qos, check_services
+from tfloom.cli.doctor.peers import SharedDomain, check_peers, check_qos, check_services
 from tfloom.cli.doctor.wires import check_other_wire
 from tfloom.cli.doctor.zenoh import WIRE, check_router, check_zenoh_reach, is_zenoh_selected
 from tfloom.common.terminal import shown_part
@@ -527,7 +528,7 @@ def _version(distribution: str) -> str:
         return "not installed"
 
 
-CHECKS: dict[str, Callable[[], Finding]] = {
+CHECKS: dict[str, Callable[..., Finding]] = {
     "wire": check_wire,
     "domain": check_domain,
     "network": check_network,
@@ -544,6 +545,8 @@ CHECKS: dict[str, Callable[[], Finding]] = {
     "versions": check_versions,
 }
 PACKAGE_CHECKS = {"names", "versions"}
+DOMAIN_CHECKS = {"peers", "quality of service", "services"}
+"""Those that take a SharedDomain."""
 
 
 def checks(*, exclude_packages: bool = False) -> dict[str, Callable[[], Finding]]:
@@ -552,8 +555,11 @@ def checks(*, exclude_packages: bool = False) -> dict[str, Callable[[], Finding]
     Args:
         exclude_packages: Leave out the versions, and the origin of each package.
     """
-    chosen = {
-        name: check for name, check in CHECKS.items() if not (exclude_packages and name in PACKAGE_CHECKS)
+    shared = SharedDomain()
+    chosen: dict[str, Callable[[], Finding]] = {
+        name: partial(check, shared) if name in DOMAIN_CHECKS else check
+        for name, check in CHECKS.items()
+        if not (exclude_packages and name in PACKAGE_CHECKS)
     }
     if is_zenoh_selected():
         chosen["router"] = check_router

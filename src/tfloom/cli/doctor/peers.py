@@ -1,21 +1,24 @@
 """The checks of `doctor` on the other participants of the domain.
 
 One is on vendor and version of their DDS, and what passes; one on qualities of service: which publishers and
-subscriptions of a topic don't connect; one lists services and actions.
+subscriptions of a topic don't connect; one lists services and actions. They share what one participant has discovered,
+because discovery takes longer than the checks.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cached_property
+from typing import NamedTuple
 
 from tfloom.cli.doctor.finding import Finding, Verdict
 from tfloom.cli.doctor.zenoh import check_sessions, is_zenoh_selected
-from tfloom.rmw.base import EndpointInfo, ServiceEndInfo
+from tfloom.rmw.base import PREFIX_LENGTH, EndpointInfo, ParticipantInfo, ServiceEndInfo
 from tfloom.rmw.errors import WireError
 from tfloom.rmw.typed_names import SEND_GOAL
 
-PEERS_TIMEOUT_S = 5.0
-"""The longest wait for the nodes of other participants [s]."""
+DISCOVERY_TIMEOUT_S = 5.0
+"""The longest wait for the nodes and endpoints of other participants [s]."""
 
 VENDORS = {
     b"\x01\x01": "RTI Connext",
@@ -27,35 +30,62 @@ VENDORS = {
     b"\x01\x12": "RustDDS",
 }
 """Vendors by the first bytes of their participants' gids (RTPS's vendor ids)."""
-QOS_TIMEOUT_S = 5.0
-"""The longest wait for the endpoints of other participants [s]."""
 MAX_PAIRS = 20
 """Pairs that are named, because a topic may have hundreds."""
 MAX_NAMES = 5
 """Services that are named in one line."""
 
 
-def check_peers() -> Finding:
+class Domain(NamedTuple):
+    """What a participant that joined the domain has discovered."""
+
+    participants: list[ParticipantInfo]
+    """Its own, too."""
+    endpoints: list[EndpointInfo]
+    service_ends: list[ServiceEndInfo]
+    delivers_incompatible: bool
+    """Whether the wire delivers messages between endpoints whose qualities of service do not match."""
+
+
+class SharedDomain:
+    """The domain of ROS_DOMAIN_ID, joined when the first check needs it; the other checks get the same contents."""
+
+    @cached_property
+    def contents(self) -> Domain:
+        """What has been discovered.
+
+        Raises:
+            WireError: the wire can't be opened.
+        """
+        from tfloom._native import dds_read_versions
+        from tfloom.cli.shared.graph import settled_graph
+
+        if not is_zenoh_selected():
+            dds_read_versions()
+        with settled_graph(DISCOVERY_TIMEOUT_S) as graph:
+            return Domain(
+                list(graph.participants()),
+                list(graph.endpoints()),
+                list(graph.service_ends()),
+                graph.delivers_incompatible(),
+            )
+
+
+def check_peers(shared: SharedDomain) -> Finding:
     """Check what passes between this process and each participant on the domain: on DDS, by its vendor."""
-    from tfloom._native import dds_read_versions
-    from tfloom.cli.shared.graph import joined_participant, wait_until_quiet
     from tfloom.rmw.cyclone.library import open_library
     from tfloom.rmw.cyclone.services import start_translation
 
-    is_zenoh = is_zenoh_selected()
-    if not is_zenoh:
-        dds_read_versions()
     try:
-        with joined_participant() as participant:
-            if participant.graph.participants()[0].gid.startswith(b"tfloom::"):
-                return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
-            wait_until_quiet(participant.graph, PEERS_TIMEOUT_S)
-            if is_zenoh:
-                return check_sessions(participant.graph)
-            peers = [peer for peer in participant.graph.participants() if not peer.is_own]
+        domain = shared.contents
+        if domain.participants[0].gid.startswith(b"tfloom::"):
+            return Finding(Verdict.OK, "none: tfloom_local connects the nodes of one process")
+        if is_zenoh_selected():
+            return check_sessions(domain.participants, domain.endpoints, domain.service_ends)
         failure = start_translation(open_library().path)
     except WireError as error:
         return Finding(Verdict.FAILED, str(error))
+    peers = [peer for peer in domain.participants if not peer.is_own]
     if not peers:
         return Finding(Verdict.OK, "no other participant on the domain")
     counts: dict[str, int] = {}
@@ -68,7 +98,7 @@ def check_peers() -> Finding:
         passes, do_services = what_passes(gid, failure)
         if not do_services:
             refused.append(names)
-        details[f"participant {gid[:12].hex()}"] = f"{product} ({names}); services: {passes}"
+        details[f"participant {gid[:PREFIX_LENGTH].hex()}"] = f"{product} ({names}); services: {passes}"
     summary = "other participants: " + ", ".join(f"{count} on {product}" for product, count in counts.items())
     if not refused:
         return Finding(Verdict.OK, f"{summary}; topics and services pass", details=details)
@@ -108,18 +138,14 @@ def what_passes(gid: bytes, untranslated: str) -> tuple[str, bool]:
     return f"{form}; topics pass, services, actions and parameters don't", False
 
 
-def check_qos() -> Finding:
+def check_qos(shared: SharedDomain) -> Finding:
     """Check that the publishers of each topic offer what its subscriptions request."""
-    from tfloom.cli.shared.graph import settled_graph
-
     try:
-        with settled_graph(QOS_TIMEOUT_S) as graph:
-            ends = list(graph.endpoints())
-            passes_all = graph.delivers_incompatible()
+        domain = shared.contents
     except WireError as error:
         return Finding(Verdict.FAILED, str(error))
     by_topic: dict[str, tuple[list[EndpointInfo], list[EndpointInfo]]] = {}
-    for end in ends:
+    for end in domain.endpoints:
         by_topic.setdefault(end.topic.name, ([], []))[0 if end.is_writer else 1].append(end)
     apart = [
         pair
@@ -132,7 +158,7 @@ def check_qos() -> Finding:
         )
     details = {f"pair {number}": text for number, text in enumerate(apart[:MAX_PAIRS], 1)}
     more = f"; and {len(apart) - 1} more pair{'s' * (len(apart) > 2)}: see --report" if len(apart) > 1 else ""
-    if passes_all:
+    if domain.delivers_incompatible:
         verdict, consequence = Verdict.WARNING, "their messages pass on this wire, but don't on others"
     else:
         verdict, consequence = Verdict.FAILED, "no message passes between them"
@@ -140,14 +166,12 @@ def check_qos() -> Finding:
     return Finding(verdict, f"{apart[0]}, so {consequence}{more}", advice, details)
 
 
-def check_services() -> Finding:
+def check_services(shared: SharedDomain) -> Finding:
     """List the services and actions of the domain, and name the services whose clients have no server."""
     from tfloom.cli.service.queries import service_types
-    from tfloom.cli.shared.graph import settled_graph
 
     try:
-        with settled_graph(QOS_TIMEOUT_S) as graph:
-            ends = graph.service_ends()
+        ends = shared.contents.service_ends
     except WireError as error:
         return Finding(Verdict.FAILED, str(error))
     details = {}

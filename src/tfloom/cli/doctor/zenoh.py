@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from tfloom.cli.doctor.finding import Finding, Verdict
 from tfloom.rmw.errors import WireError
 
 if TYPE_CHECKING:
-    from tfloom.rmw.base import Graph
+    from tfloom.rmw.base import EndpointInfo, ParticipantInfo, ServiceEndInfo
 
 LINK_TIMEOUT_S = 3.0
 WIRE = "rmw_zenoh_cpp"
@@ -112,13 +113,13 @@ def check_zenoh_reach(details: dict[str, Any]) -> Finding:
     )
 
 
-def check_sessions(graph: Graph) -> Finding:
-    """Check the other sessions on the domain: nothing passes where one type has two hashes.
-
-    Args:
-        graph: Discovery is complete.
-    """
-    sessions = [participant for participant in graph.participants() if not participant.is_own]
+def check_sessions(
+    participants: Iterable[ParticipantInfo],
+    endpoints: Iterable[EndpointInfo],
+    service_ends: Iterable[ServiceEndInfo],
+) -> Finding:
+    """Check the other sessions on the domain: nothing passes where one type has two hashes."""
+    sessions = [participant for participant in participants if not participant.is_own]
     if not sessions:
         return Finding(Verdict.OK, "no other session on the domain")
     details: dict[str, Any] = {
@@ -126,8 +127,8 @@ def check_sessions(graph: Graph) -> Finding:
         for session in sessions
     }
     summary = f"other sessions: {len(sessions)}"
-    ends = [(end.topic.name, end.topic.type_name, end.topic.type_hash, end.node) for end in graph.endpoints()]
-    ends += [(end.name, end.type_name, end.type_hash, end.node) for end in graph.service_ends()]
+    ends = [(end.topic.name, end.topic.type_name, end.topic.type_hash, end.node) for end in endpoints]
+    ends += [(end.name, end.type_name, end.type_hash, end.node) for end in service_ends]
     users: dict[tuple[str, str], dict[str, set[str]]] = {}
     for name, type_name, type_hash, node in ends:
         if type_hash and node is not None:

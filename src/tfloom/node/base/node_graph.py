@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from tfloom.node.qos.endpoint_info import ServiceEndpointInfo, TopicEndpointInfo
 from tfloom.node.values.exceptions import InvalidHandle, NodeNameNonExistentError
 from tfloom.node.values.names import expansion_error
-from tfloom.rmw.base import NodeName, Service
+from tfloom.rmw.base import PREFIX_LENGTH, NodeName, Service
 from tfloom.rmw.topic_names import response_topic
 from tfloom.rmw.typed_names import FEEDBACK
 
@@ -23,8 +23,6 @@ __all__ = ["NamesAndTypes", "NodeGraph", "actions_of_topics", "service_endpoints
 NamesAndTypes = list[tuple[str, list[str]]]
 _POLL_PERIOD_S = 0.02
 FEEDBACK_TYPE_SUFFIX = "_FeedbackMessage"
-PREFIX_LENGTH = 12
-"""The bytes of a gid on DDS that are the participant's."""
 
 
 class NodeGraph:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import pairwise
 
+from tfloom.rmw.base import PREFIX_LENGTH
 from tfloom.tf2_tools.diagnosis.catalogue import Limits
 from tfloom.tf2_tools.diagnosis.finding import Evidence, Finding
 from tfloom.tf2_tools.diagnosis.subject import (
@@ -47,7 +48,7 @@ def _silence_finding(subject: Subject) -> Finding:
 
 def _owner(publisher: Publisher) -> tuple[str, bytes]:
     """Return what is the same for all publishers of one node: its name, and its participant's part of the gid."""
-    return publisher.name, publisher.gid[:12]
+    return publisher.name, publisher.gid[:PREFIX_LENGTH]
 
 
 def _are_at_once(edges: list[Edge]) -> bool:
