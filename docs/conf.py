@@ -85,7 +85,7 @@ def find_by_end(
 ) -> Element | None:
     """Return a link for a class, method or function that is named without its module, as in `Bag.stamps`.
 
-    Of several with this name, that of the page with the reference is chosen. Names of arguments are no links.
+    Of several with this name, that of the page with the reference is chosen. Names of arguments are not links.
     """
     if node.get("refdomain") != "py":
         return None

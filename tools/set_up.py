@@ -239,7 +239,7 @@ class Environment:
                 return ""
             if not (self.folder / "pyvenv.cfg").is_file():
                 raise SetUpError(
-                    f"{self.folder} is there and is no virtual environment: move it away, and repeat"
+                    f"{self.folder} is there and is not a virtual environment: move it away, and repeat"
                 )
         except OSError as error:
             raise SetUpError(f"can't use {self.folder}: {error.strerror}. {ELSEWHERE}") from None

@@ -3,7 +3,7 @@
     ros2 launch examples/robot/display.launch.py robot:=wheeled
     ros2 run tf2_tools view_frames
 
-Its joints move forth and back; `delta:=0.0` keeps them still.
+Its joints move back and forth; `delta:=0.0` keeps them still.
 """
 
 from __future__ import annotations

@@ -200,7 +200,7 @@ class Mapper(Node):
 def rays(scan: LaserScan) -> tuple[np.ndarray, np.ndarray]:
     """Return where rays met something, and how far others are known to be free (each (N, 2)), in the laser's frame [m].
 
-    REP 117: a ray of range inf met nothing; nan, -inf, 0 and others outside of the limits are no measurements.
+    REP 117: a ray of range inf met nothing; nan, -inf, 0 and others outside of the limits are not measurements.
     """
     stride = -(-len(scan.ranges) // MAX_RAYS) or 1
     ranges = np.asarray(scan.ranges[::stride], float)

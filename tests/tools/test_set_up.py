@@ -138,7 +138,7 @@ def test_two_set_ups_of_one_environment_go_one_after_the_other(tmp_path: Path) -
         assert second.poll() is None
     printed, errors = second.communicate(timeout=60)
     assert (printed, second.returncode) == ("", 1)
-    assert "is there and is no virtual environment" in errors
+    assert "is there and is not a virtual environment" in errors
 
 
 def test_compiler_and_packages_have_the_checkout_for_themselves(
@@ -196,7 +196,7 @@ def test_other_folder_is_not_changed(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert (
         done.stderr
-        == f"set-up: {tmp_path} is there and is no virtual environment: move it away, and repeat\n"
+        == f"set-up: {tmp_path} is there and is not a virtual environment: move it away, and repeat\n"
     )
     assert (tmp_path / "notes.txt").read_text() == "mine"
 

@@ -32,7 +32,7 @@ def compile_plan(cls: type[MessageClass]) -> Plan:
     """Compile the plan of a message class, and of the messages in it, and store it on the class.
 
     Raises:
-        TypeError: the class is no message class, or it contains itself.
+        TypeError: the class is not a message class, or it contains itself.
         LookupError: it refers to an unknown message.
     """
     owner = _owner(cls)

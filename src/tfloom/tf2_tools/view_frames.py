@@ -219,7 +219,7 @@ def read(path: Path) -> Gathered:
     """Gather the frames of a bag, or of a file of static transforms.
 
     Raises:
-        BagError, StaticFileError: it is no such file.
+        BagError, StaticFileError: it is not such a file.
         OSError: it can't be read.
     """
     from tfloom.tf2.buffer import Buffer as PlainBuffer

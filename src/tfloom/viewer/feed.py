@@ -77,7 +77,7 @@ class Feed:
         self.type_name = ""
         """The type of its messages; empty without a topic."""
         self.silence = ""
-        """Why no messages come; empty if nothing keeps them away. Whoever reads the graph sets it."""
+        """Why no messages come; empty if nothing keeps them away. The reader of the graph sets it."""
         self.is_published = True
         """Whether somebody publishes the topic; set with `silence`."""
         self.has_failed = False

@@ -77,11 +77,11 @@ class WriterSettings(NamedTuple):
     storage: StorageSettings = StorageSettings()
     """How its files are written."""
     max_file_size: int = 0
-    """A file of at least this size is the last one before the next [bytes]; 0 is no limit."""
+    """A file of at least this size is the last one before the next [bytes]; 0 means no limit."""
     max_file_duration_ns: int = 0
-    """A message later than this after a file's first begins the next file; 0 is no limit."""
+    """A message later than this after a file's first begins the next file; 0 means no limit."""
     max_files: int = 0
-    """When one more file begins, the oldest is deleted; 0 is no limit."""
+    """When one more file begins, the oldest is deleted; 0 means no limit."""
     cache_size: int = DEFAULT_CACHE_SIZE
     """Half of the size of messages that may wait to be written [bytes]; 0 is `DEFAULT_CACHE_SIZE`."""
     compression_mode: str = ""

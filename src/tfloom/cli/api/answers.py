@@ -18,7 +18,7 @@ def positive_int(string: str) -> int:
     """Return a whole number above 0.
 
     Raises:
-        argparse.ArgumentTypeError: it is no such number.
+        argparse.ArgumentTypeError: it is not such a number.
     """
     value: int = _positive(int, string, "value must be a positive integer")
     return value
@@ -28,7 +28,7 @@ def positive_float(inval: str) -> float:
     """Return a number above 0.
 
     Raises:
-        argparse.ArgumentTypeError: it is no such number.
+        argparse.ArgumentTypeError: it is not such a number.
     """
     value: float = _positive(float, inval, "value must be a positive float")
     return value

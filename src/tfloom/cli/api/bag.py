@@ -120,7 +120,7 @@ def check_positive_float(value: str) -> float:
     """Return a number above 0.
 
     Raises:
-        argparse.ArgumentTypeError: it is no such number.
+        argparse.ArgumentTypeError: it is not such a number.
     """
     return _checked(float, value, lambda number: number > 0, "positive")
 
@@ -129,7 +129,7 @@ def check_not_negative_float(value: str) -> float:
     """Return a number that isn't negative.
 
     Raises:
-        argparse.ArgumentTypeError: it is no such number.
+        argparse.ArgumentTypeError: it is not such a number.
     """
     return _checked(float, value, lambda number: number >= 0, "non-negative")
 
@@ -138,7 +138,7 @@ def check_not_negative_int(value: str) -> int:
     """Return a whole number that isn't negative.
 
     Raises:
-        argparse.ArgumentTypeError: it is no such number.
+        argparse.ArgumentTypeError: it is not such a number.
     """
     return _checked(int, value, lambda number: number >= 0, "non-negative")
 

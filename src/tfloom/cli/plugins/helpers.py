@@ -56,7 +56,7 @@ def unsigned_int(string: str) -> int:
     """Return a whole number that isn't negative.
 
     Raises:
-        argparse.ArgumentTypeError: it is no such number.
+        argparse.ArgumentTypeError: it is not such a number.
     """
     try:
         value = int(string)

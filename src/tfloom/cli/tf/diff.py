@@ -33,14 +33,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="M",
         type=tolerance,
         default=TRANSLATION_M,
-        help=f"longest distance in metres that is no difference (default: {TRANSLATION_M:g})",
+        help=f"longest distance in metres that does not count as a difference (default: {TRANSLATION_M:g})",
     )
     parser.add_argument(
         "--rotation",
         metavar="DEG",
         type=tolerance,
         default=ROTATION_DEG,
-        help=f"widest angle in degrees that is no difference (default: {ROTATION_DEG:g})",
+        help=f"widest angle in degrees that does not count as a difference (default: {ROTATION_DEG:g})",
     )
     parser.add_argument(
         "--static",

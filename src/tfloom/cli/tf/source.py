@@ -91,7 +91,7 @@ def opened(name: str, args: argparse.Namespace, *, buffer: Buffer | None = None)
         buffer: A buffer to fill as well.
 
     Raises:
-        CommandError: the file is no such file.
+        CommandError: the file is not such a file.
     """
     topics = full_topic_name(args.tf_topic), full_topic_name(args.tf_static_topic)
     if not is_live(name):

@@ -400,7 +400,7 @@ def _sinks(process_name: str, output_config: OutputConfig) -> dict[str, set[str]
         names = {where} if isinstance(where, str) else set(where)
         if wrong := names - {"screen", "log", "own_log"}:
             raise ValueError(
-                f"{', '.join(sorted(map(str, wrong)))} is no place for the output of '{process_name}': "
+                f"{', '.join(sorted(map(str, wrong)))} is not a place for the output of '{process_name}': "
                 "use screen, log or own_log"
             )
         sinks[stream] |= names
@@ -443,7 +443,7 @@ def _renew_latest_log_dir(*, log_dir: str) -> bool:
     """Let the symbolic link `latest`, beside a log folder, lead to it.
 
     Returns:
-        Whether it does; False where `latest` is no link, or links can't be created.
+        Whether it does; False where `latest` is not a link, or links can't be created.
     """
     folder = Path(log_dir)
     link = folder.parent / "latest"

@@ -522,7 +522,7 @@ class FilteringReader:
             sample = self.reader.take()
             if sample is None or self.accepts(sample):
                 return sample
-        # Whoever takes is told to come again, because a post may stand for many samples.
+        # The taker is told to come again, because a post may stand for many samples.
         queue = self._queue
         if queue is not None:
             queue.post(self._token)

@@ -49,7 +49,7 @@ def end_connections(port: int) -> int:
 
 
 def _ends_connection(descriptor: int, port: int) -> bool:
-    with suppress(OSError):  # it is closed by now, is no socket, or has no peer
+    with suppress(OSError):  # it is closed by now, is not a socket, or has no peer
         copy = os.dup(descriptor)
         try:
             found = socket.socket(fileno=copy)

@@ -67,8 +67,8 @@ def differences(
     Args:
         before: Tree A, by child.
         after: Tree B, by child.
-        translation: The longest distance that is no difference [m].
-        rotation_rad: The widest angle that is no difference [rad].
+        translation: The longest distance that does not count as a difference [m].
+        rotation_rad: The widest angle that does not count as a difference [rad].
     """
     tree_differences = []
     for child in sorted(before.keys() | after.keys()):

@@ -509,7 +509,7 @@ function openPanel(name) {
   if (name === "parameters") send({ op: "parameters", node: $("parameter-node").value });
 }
 
-// The panel that the address asks for, as `?panel=graph`: once, because a connection that is opened again is no new page.
+// The panel that the address asks for, as `?panel=graph`: once, because a connection that is opened again is not a new page.
 let askedPanel = query.get("panel") === "plots" ? "plot-panel" : query.get("panel");
 function openAskedPanel() {
   const panels = [...document.querySelectorAll(".panel")].map((panel) => panel.id);
@@ -569,7 +569,7 @@ for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
     drive();
   });
 }
-// A finger that rests on the stick is no wish for a menu, which would let the stick go.
+// A finger that rests on the stick does not ask for a menu, which would let the stick go.
 $("stick").addEventListener("contextmenu", (event) => { event.preventDefault(); event.stopPropagation(); });
 function followStick(event) {
   const box = $("stick").getBoundingClientRect();
