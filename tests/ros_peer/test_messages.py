@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import os
+import sys
 import time
 import zlib
 from collections.abc import Callable
@@ -9,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import Program
 from tools.ros_peer import PROFILE, RosPeer
 
 from .conftest import FROM_US, OURS, THEIRS, Ends, StartEnd, vendors
@@ -23,6 +27,41 @@ RECEIVE_BUFFER = 4 << 20
 """What a receiver of bursts asks of the kernel, which grants at most net.core.rmem_max [octets]."""
 COUNT = 20_000
 HZ = 1000.0
+
+MANAGED = """
+import sys, rclpy
+from rclpy.lifecycle import LifecycleNode
+
+rclpy.init(args=sys.argv)
+node = LifecycleNode(sys.argv[1])
+
+def walk():
+    node.trigger_configure()
+    node.trigger_cleanup()
+
+node.create_timer(0.1, walk)
+rclpy.spin(node)
+"""
+LISTEN = """
+import json, time, rclpy
+from lifecycle_msgs.msg import TransitionEvent
+
+begin = time.time()
+counts = {"no time": 0, "now": 0, "wrong": 0}
+
+def hear(event):
+    stamp = getattr(event, "stamp", None)
+    ns = event.timestamp if stamp is None else stamp.sec * 10**9 + stamp.nanosec
+    kind = "no time" if ns == 0 else "now" if begin - 60 < ns / 1e9 < time.time() + 1 else "wrong"
+    counts[kind if event.goal_state.label else "wrong"] += 1
+    print(json.dumps(counts), flush=True)
+
+rclpy.init()
+node = rclpy.create_node("listens")
+node.create_subscription(TransitionEvent, "/events", hear, 10)
+rclpy.spin(node)
+"""
+"""Prints how many events it has heard of which times: the real rclpy sends none, so that it is 0."""
 
 
 def is_in_order(numbers: list[Any]) -> bool:
@@ -135,3 +174,38 @@ def test_no_message_of_many_is_lost(new_ends: Ends, wait_until: Callable[..., No
 
     wait_until(are_all_received, 180.0, f"{COUNT} messages")
     assert is_in_order(new_ends.reader("received", "many"))
+
+
+def test_events_of_lifecycle_nodes_of_both_forms_are_read_from_one_topic(
+    peer: RosPeer,
+    domain_id: int,
+    start_program: Callable[..., Program],
+    wait_until: Callable[..., None],
+) -> None:
+    """The real rclpy's, and tfloom's as of Lyrical, under each; the real one reads those of its own form."""
+    onto_events = ("--ros-args", "-r", "~/transition_event:=/events")
+    theirs = peer.environment(domain_id, ROS_LOG_DIR=os.environ["ROS_LOG_DIR"])
+    start_program(peer.python, "-c", MANAGED, "theirs", *onto_events, env=theirs)
+    ours = start_program(
+        *(sys.executable, "-c", MANAGED, "ours", *onto_events), env=os.environ | {"ROS_DISTRO": "lyrical"}
+    )
+
+    def last(listener: Program) -> dict[str, int]:
+        lines = [line for line in listener.lines if line.startswith("{")]
+        return json.loads(lines[-1]) if lines else {"no time": 0, "now": 0, "wrong": 0}
+
+    readers = [
+        start_program(sys.executable, "-c", LISTEN, env=os.environ | {"ROS_DISTRO": name})
+        for name in ("jazzy", "kilted", "lyrical")
+    ]
+    wait_until(lambda: all(min(last(each)["no time"], last(each)["now"]) > 3 for each in readers), 60)
+    assert [last(each)["wrong"] for each in readers] == [0, 0, 0]
+    ours.process.kill()
+    ours.wait()
+    start_program(
+        *(sys.executable, "-c", MANAGED, "older", *onto_events),
+        env=os.environ | {"ROS_DISTRO": peer.release.name},
+    )
+    their_reader = start_program(peer.python, "-c", LISTEN, env=theirs)
+    wait_until(lambda: min(last(their_reader)["no time"], last(their_reader)["now"]) > 3, 60)
+    assert last(their_reader)["wrong"] == 0

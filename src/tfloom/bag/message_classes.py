@@ -8,8 +8,9 @@ from typing import Any
 
 from tfloom.bag.errors import BagError
 from tfloom.bag.values import Definition, RawMessage, Topic
+from tfloom.rosidl.other_forms import FORMS, Form
 
-__all__ = ["class_of", "decoder"]
+__all__ = ["class_of", "decoder", "other_form"]
 
 
 def class_of(path: Path, topic: Topic) -> Any:
@@ -30,6 +31,27 @@ def class_of(path: Path, topic: Topic) -> Any:
         return recorded_class(topic.type, definition.encoding, definition.text, topic.type_hash)
     except DescriptionError as error:
         raise BagError(path, f"messages of {topic.name} can't be decoded: {error}") from None
+
+
+def other_form(path: Path, topic: Topic) -> Form | None:
+    """Return the form of a topic's definition where the class of its type has another one here, else None.
+
+    None also of a topic that can't be decoded, which `class_of` tells of.
+
+    Args:
+        path: The recording.
+        topic: The topic.
+    """
+    forms = FORMS.get(topic.type)
+    if forms is None or topic.serialization_format != "cdr":
+        return None
+    from tfloom.rosidl.registry import get_message_class
+
+    try:
+        recorded, here = class_of(path, topic)._FIELDS, get_message_class(topic.type)._FIELDS
+    except BagError:
+        return None
+    return next((form for form in forms if form.field in recorded and form.field not in here), None)
 
 
 def decoder(path: Path, topic: Topic) -> Callable[[RawMessage], Any]:

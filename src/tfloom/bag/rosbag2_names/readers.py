@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.errors import BagError
 from tfloom.bag.info_text import info_text
+from tfloom.bag.message_classes import other_form
 from tfloom.bag.metadata_from_files import metadata_of, size_of
 from tfloom.bag.opening import open_bag
 from tfloom.bag.reindexing import reindex
@@ -24,8 +26,11 @@ from tfloom.bag.rosbag2_names.storage import (
     options_error,
 )
 from tfloom.bag.topic_choice import action_of
-from tfloom.bag.values import RawMessage
+from tfloom.bag.values import RawMessage, Topic
+from tfloom.bag.writing.definition_text import find_definition, hash_of
 from tfloom.bag.writing.storage import STORAGES
+from tfloom.rosidl.message import DecodeError
+from tfloom.rosidl.other_forms import Form, converted
 
 __all__ = ["Info", "Reindexer", "SequentialCompressionReader", "SequentialReader", "get_registered_readers"]
 
@@ -51,6 +56,8 @@ class SequentialReader:
         """The message that was read last, after which a new filter goes on."""
         self._twins = 0
         """How many messages equal to it were read before it, one after the other."""
+        self._others: dict[str, Form] = {}
+        """The topics whose recorded definition is another form of the class here, which programs decode with."""
 
     def open(self, arg0: StorageOptions, arg1: ConverterOptions) -> None:
         """Open a bag.
@@ -65,6 +72,8 @@ class SequentialReader:
                 raise BagError(arg0.uri, f"the format is cdr; it can't be converted from or to '{name}'")
         self.close()
         self._bag = open_bag(Path(arg0.uri))
+        forms = {name: other_form(self._bag.path, topic) for name, topic in self._bag.topics.items()}
+        self._others = {name: form for name, form in forms.items() if form is not None}
         limits = (arg0.start_time_ns, arg0.end_time_ns)
         self._bounds = (None if limits[0] < 0 else limits[0], None if limits[1] < 0 else limits[1])
         self._start_ns = None
@@ -102,6 +111,8 @@ class SequentialReader:
     def read_next(self) -> tuple[str, bytes, int]:
         """Return the next message: topic, serialized bytes, log time [ns since epoch].
 
+        Of a type that distributions define otherwise, the bytes are those of the class here.
+
         Raises:
             BagError: there is none, no bag is open, or it can't be read.
         """
@@ -110,7 +121,15 @@ class SequentialReader:
         message, self._next = self._next, None
         self._twins = self._twins + 1 if message == self._last else 0
         self._last = message
-        return message.topic, message.data, message.log_time_ns
+        return message.topic, self._as_here(message), message.log_time_ns
+
+    def _as_here(self, message: RawMessage) -> bytes:
+        """Return the bytes of a message in the form that its class has here; damaged ones as they are."""
+        form = self._others.get(message.topic)
+        if form is not None:
+            with suppress(DecodeError):
+                return converted(self._opened().topics[message.topic].type, form, message.data)
+        return message.data
 
     def read_next_ext(self) -> tuple[str, bytes, int, int]:
         """Return the next message: topic, serialized bytes, log time and time of publication [ns since epoch].
@@ -152,8 +171,16 @@ class SequentialReader:
         Raises:
             BagError: no bag is open.
         """
-        topics = self._opened().topics.values()
-        return [TopicMetadata.from_topic(topic, number) for number, topic in enumerate(topics, 1)]
+        return [TopicMetadata.from_topic(topic, number) for number, topic in enumerate(self._topics(), 1)]
+
+    def _topics(self) -> list[Topic]:
+        """Return the topics, as `read_next` has their messages."""
+        return [
+            topic._replace(type_hash=hash_of(topic.type), definition=find_definition(topic.type))
+            if topic.name in self._others
+            else topic
+            for topic in self._opened().topics.values()
+        ]
 
     def get_all_message_definitions(self) -> list[MessageDefinition]:
         """Return the definitions of the topics' types that the bag has.
@@ -161,7 +188,7 @@ class SequentialReader:
         Raises:
             BagError: no bag is open.
         """
-        by_type = {topic.type: topic for topic in self._opened().topics.values() if topic.definition}
+        by_type = {topic.type: topic for topic in self._topics() if topic.definition}
         return [MessageDefinition.of_topic(topic) for topic in by_type.values()]
 
     def get_metadata(self) -> BagMetadata:
