@@ -24,6 +24,7 @@ from tfloom.node.values.time import Time
 from tfloom.tf2_ros import message_filters
 from tfloom.tf2_ros.buffer import Buffer
 from tfloom.tf2_ros.buffer_interface import TransformRegistration
+from tfloom.tf2_ros.input_aligner import InputAligner
 from tfloom.tf2_ros.message_filter import MessageFilter
 from tfloom.tf2_ros.transform_listener import TransformListener
 from tfloom_sensing.diagnostic_tasks import CompositeDiagnosticTask, FunctionDiagnosticTask
@@ -188,6 +189,24 @@ def filter_cache(world: World) -> list[Exception]:
 
 def filter_chain(world: World) -> list[Exception]:
     return _filtered(world, lambda sources: message_filters.Chain(sources[0]))
+
+
+def filter_aligner(world: World) -> list[Exception]:
+    """The first of two callbacks of an input raises to the caller of `dispatchMessages`; both receive every message."""
+    fails, others = Fails(), _others()
+    source = message_filters.SimpleFilter()
+    aligner = world.watch(InputAligner(Duration(seconds=1), [source]))
+    aligner.registerCallback(0, fails)
+    aligner.registerCallback(0, others)
+    for number in (1, 2):
+        source.signalMessage(_point(number))
+        if number == 1:
+            with pytest.raises(Injected):
+                aligner.dispatchMessages()
+        else:
+            aligner.dispatchMessages()
+        assert (len(fails.calls), len(others.calls)) == (number, number + 1)
+    return []
 
 
 def filter_time(world: World) -> list[Exception]:

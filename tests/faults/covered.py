@@ -218,6 +218,9 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "ConvertRegistration.add_to_msg(callback)": "transform_registration",
         "TransformRegistration.add(callback)": "transform_registration",
     },
+    "tf2_ros.input_aligner": {
+        "InputAligner.registerCallback(callback)": "filter_aligner",
+    },
     "tf2_ros.message_filter": {
         "MessageFilter.registerFailureCallback(callback)": "filter_failure",
     },

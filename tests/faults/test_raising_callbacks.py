@@ -29,6 +29,7 @@ OFF_THE_WIRE = (
     *("pre_set_", "post_set_", "transform_future", "transformable_request", "transform_registration"),
     *(
         "filter_itself",
+        "filter_aligner",
         "filter_cache",
         "filter_chain",
         "filter_time",
