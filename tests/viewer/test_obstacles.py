@@ -18,14 +18,19 @@ from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
 from tfloom.viewer import topic_reader
-from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.displays.kinds import KINDS, ROBOT, kind_of
 from tfloom.viewer.feed import Feed
-from tfloom.viewer.obstacles import qos_text
+from tfloom.viewer.obstacles import THINGS, qos_text
 from tfloom.viewer.topic_log import TopicLog
 
 S = 1_000_000_000
 STILL = (0.0, 0.0, 0.0, 1.0)
 POINTS = np.zeros(3, [("x", "<f4"), ("y", "<f4"), ("z", "<f4")])
+
+
+def test_each_display_in_the_scene_says_what_it_draws() -> None:
+    labels = {kind.label for kind in (*KINDS.values(), ROBOT) if kind.module}
+    assert not labels - THINGS.keys(), "a row in THINGS of viewer/obstacles.py"
 
 
 class Cloud:

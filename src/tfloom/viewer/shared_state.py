@@ -22,7 +22,7 @@ from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import LABELS, Kind, kinds_of
+from tfloom.viewer.displays.kinds import LABELS, Kind, kind_of
 from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, SettingError, to_file, usual_values
 from tfloom.viewer.extents import Extent, extent_of
@@ -396,10 +396,10 @@ class SharedView:
         type_name = self.topics.types().get(wanted.topic)
         if type_name is None:
             raise PageError(f"there is no topic {wanted.topic!r}")
-        kinds = kinds_of(wanted.topic, type_name)
-        if not kinds:
+        kind = kind_of(wanted.topic, type_name)
+        if kind is None:
             raise PageError(f"no display shows {type_name}")
-        return asked if asked in kinds else kinds[0]
+        return kind
 
     def feed(self, topic: str) -> Feed | None:
         """Return what a display shows; None if the topic isn't shown."""
@@ -788,14 +788,16 @@ class SharedView:
         rows = []
         for name in sorted({*types, *self._feeds, *self._refusals, *self._wanted}):
             feed, wanted = self._feeds.get(name), self._wanted.get(name)
-            kinds = [feed.kind] if feed is not None else kinds_of(name, types.get(name, ""))
+            kind = feed.kind if feed is not None else kind_of(name, types.get(name, ""))
             _, refusal = self._refusals.get(name, ("", ""))
             status = refusal if feed is None else feed.status
             if wanted is not None and wanted.topic not in types:
                 status = "nobody publishes it yet"
-            if not kinds and not status:
+            if kind is None and not status:
                 continue
-            kind = kinds[0] if kinds else LABELS.get(wanted.kind if wanted is not None else "", NO_KIND)
+            if kind is None:
+                kind = LABELS.get(wanted.kind if wanted is not None else "", NO_KIND)
+            again = None if feed is None else kind_of(feed.topic, types.get(feed.topic, ""))
             display = None if feed is None else feed.display
             rows.append(
                 {
@@ -803,9 +805,7 @@ class SharedView:
                     "of_topic": _sendable(
                         feed.topic if feed is not None else wanted.topic if wanted else name
                     ),
-                    "kinds": [one.label for one in kinds_of(feed.topic, types.get(feed.topic, ""))]
-                    if feed
-                    else [],
+                    "kinds": [] if again is None else [again.label],
                     "values": {} if feed is None else feed.values,
                     "parts": [] if feed is None else list(map(_sendable, feed.parts()[:MAX_PARTS])),
                     "kind": kind.label,

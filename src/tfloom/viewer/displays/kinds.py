@@ -42,7 +42,6 @@ __all__ = [
     "Kind",
     "described_settings",
     "kind_of",
-    "kinds_of",
     "make_display",
 ]
 
@@ -101,8 +100,6 @@ PLAIN = (
     Kind("Grid", "plain", "GridDisplay", GRID_SETTINGS, has_topic=False),
 )
 """Displays without a topic."""
-OTHERS: Mapping[str, tuple[Kind, ...]] = {}
-"""Further displays of messages, by their type."""
 ROBOT_TYPE = "std_msgs/msg/String"
 ROBOT_TOPIC = "robot_description"
 """A topic of this type is a robot's description where its name ends so."""
@@ -112,16 +109,11 @@ LABELS: Mapping[str, Kind] = {kind.label: kind for kind in (*KINDS.values(), ROB
 """By their labels."""
 
 
-def kinds_of(topic: str, type_name: str) -> list[Kind]:
-    """Return the displays that can show a topic, the usual one first."""
-    if type_name == ROBOT_TYPE:
-        return [ROBOT] if topic.endswith(ROBOT_TOPIC) else []
-    return [kind for kind in (KINDS.get(type_name), *OTHERS.get(type_name, ())) if kind is not None]
-
-
 def kind_of(topic: str, type_name: str) -> Kind | None:
-    """Return the usual display of a topic; None if there is none for its type."""
-    return next(iter(kinds_of(topic, type_name)), None)
+    """Return the display of a topic; None if there is none for its type."""
+    if type_name == ROBOT_TYPE:
+        return ROBOT if topic.endswith(ROBOT_TOPIC) else None
+    return KINDS.get(type_name)
 
 
 def described_settings() -> dict[str, Any]:
