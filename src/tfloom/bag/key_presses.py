@@ -64,5 +64,5 @@ def _read(keyboard: Keyboard, actions: Mapping[str, Callable[[], object]], ended
 def _call(action: Callable[[], object]) -> None:
     try:
         action()
-    except Exception:  # noqa: BLE001  # of one key; the next must work
+    except Exception:  # of one key; the next must work
         report_exception()

@@ -105,7 +105,7 @@ _PART_SUFFIX = re.compile(r"_(Request|Response|Event|Goal|Result|Feedback)$")
 _CONSTANT = re.compile(r"(?!.*__)(?!.*_$)[A-Z][A-Z0-9_]*")
 
 
-class InvalidSpecification(Exception):  # noqa: N818  # here and below the reference's names
+class InvalidSpecification(Exception):  # here and below the reference's names
     """A definition is invalid."""
 
 
@@ -121,7 +121,7 @@ class InvalidResourceName(InvalidSpecification):
     """A name of a package, message, field or constant is invalid."""
 
 
-class InvalidFieldDefinition(InvalidSpecification, ValueError):  # noqa: N818
+class InvalidFieldDefinition(InvalidSpecification, ValueError):
     """A line of a definition is invalid; the text has file, line and column."""
 
 
@@ -129,7 +129,7 @@ class UnknownMessageType(InvalidSpecification):
     """A field has a type that is unknown."""
 
 
-class InvalidValue(Exception):  # noqa: N818
+class InvalidValue(Exception):
     """A default or a constant isn't a value of its type.
 
     Args:

@@ -245,7 +245,7 @@ class Buffer(BufferCore, BufferInterface):
                 return
             try:
                 future.set_result(look_up())
-            except Exception as error:  # noqa: BLE001, the future raises it
+            except Exception as error:  # the future raises it
                 future.set_exception(error)
 
         # 0: it is available now; None: it never can be. Either way `complete` has not been called, and knows the

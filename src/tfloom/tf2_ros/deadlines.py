@@ -77,5 +77,5 @@ def _run() -> None:
 def _call(function: Callable[[], None]) -> None:
     try:
         function()
-    except BaseException:  # noqa: BLE001  # the other calls of this thread must be made too
+    except BaseException:  # the other calls of this thread must be made too
         report_exception()

@@ -184,7 +184,7 @@ class Player(Node):
                 )
         except BagError as error:
             self.failure = error
-        except Exception as error:  # noqa: BLE001  # a thread's end alone would look like the bag's
+        except Exception as error:  # a thread's end alone would look like the bag's
             self.failure = BagError(self.bag.path, f"playing has ended: {type(error).__name__}: {error}")
             self.failure.__cause__ = error
         finally:

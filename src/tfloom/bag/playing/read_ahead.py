@@ -79,7 +79,7 @@ class ReadAhead:
             if batch:
                 self._put_batch(batch)
             self._put_batch(None)
-        except Exception as error:  # noqa: BLE001 - it is raised where the messages are used
+        except Exception as error:  # it is raised where the messages are used
             self._put_batch(batch)
             self._put_batch(error)
 

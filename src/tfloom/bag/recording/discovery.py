@@ -56,5 +56,5 @@ class Discovery:
             while not self._stopped.wait(self._interval_s):
                 if self._look():
                     return
-        except Exception as error:  # noqa: BLE001  # else topics that come later would be missing in silence
+        except Exception as error:  # else topics that come later would be missing in silence
             self._on_failure(error)

@@ -187,7 +187,7 @@ class RecordedTopics:
                     self._define(number, topic, 0)
                 else:
                     self._report_undefined(topic)
-            except Exception:  # noqa: BLE001  # of the wire, which may have ended: the bag is completed all the same
+            except Exception:  # of the wire, which may have ended: the bag is completed all the same
                 self._report_undefined(topic)
         self._undefined.clear()
         for recorded in self._recorded.values():

@@ -199,7 +199,7 @@ class Recorder(Node):
         if self.context.ok():
             try:
                 self._announce_losses()
-            except Exception as error:  # noqa: BLE001  # the context may end meanwhile; the bag is completed
+            except Exception as error:  # the context may end meanwhile; the bag is completed
                 self.get_logger().warning(f"The losses were not announced: {error}")
 
     def _say_what_begins(self) -> None:
@@ -357,7 +357,7 @@ class Recorder(Node):
                 self._split_events.publish(
                     WriteSplitEvent(closed_file=str(closed), opened_file=str(opened), node_name=name)
                 )
-            except Exception as error:  # noqa: BLE001  # the context may end meanwhile; the files are whole
+            except Exception as error:  # the context may end meanwhile; the files are whole
                 self.get_logger().warning(f"The split was not announced: {error}")
 
     def _write(self) -> None:
@@ -366,7 +366,7 @@ class Recorder(Node):
             self._write_chunks()
         except BagError as error:
             self.fail(error)
-        except Exception as error:  # noqa: BLE001  # nobody else would stop a recording that writes nothing
+        except Exception as error:  # nobody else would stop a recording that writes nothing
             self.fail(BagError(self.writer.folder, f"writing has ended: {_error_text(error)}"), error)
 
     def _write_chunks(self) -> None:

@@ -91,7 +91,7 @@ def convert_rclcpp_qos_to_rclpy_qos(arg0: QoS) -> QoSProfile:
     return QoSProfile.from_wire(arg0.wire)
 
 
-def to_rclcpp_qos_vector(arg0: str, arg1: int) -> list[QoS]:  # noqa: ARG001 - each version's form is recognised
+def to_rclcpp_qos_vector(arg0: str, arg1: int) -> list[QoS]:  # each version's form is recognised
     """Return the profiles in the YAML text of a bag; the second argument is the version of its metadata."""
     return [QoS.from_wire(profile) for profile in parse_profiles(arg0)]
 

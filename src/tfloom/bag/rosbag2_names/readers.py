@@ -278,7 +278,7 @@ def get_registered_readers() -> set[str]:
 class Info:
     """Reads and prints the metadata of bags, as `rosbag2_py.Info`."""
 
-    def read_metadata(self, arg0: str, arg1: str) -> BagMetadata:  # noqa: ARG002 - the storage is found by itself
+    def read_metadata(self, arg0: str, arg1: str) -> BagMetadata:  # the storage is found by itself
         """Return what is known of a bag; the second argument is its storage.
 
         Raises:
@@ -287,7 +287,7 @@ class Info:
         with open_bag(Path(arg0)) as bag:
             return BagMetadata.from_metadata(metadata_of(bag), size_of(bag.path))
 
-    def read_metadata_and_output_service_verbose(self, arg0: str, arg1: str) -> None:  # noqa: ARG002 - as above
+    def read_metadata_and_output_service_verbose(self, arg0: str, arg1: str) -> None:  # as above
         """Print what is known of a bag, with the numbers of requests and responses.
 
         Raises:

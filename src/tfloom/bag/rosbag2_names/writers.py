@@ -136,7 +136,7 @@ class SequentialWriter:
         message: bytes,
         time_stamp: int | None = None,
         send_timestamp: int | None = None,
-        sequence_number: int = 0,  # noqa: ARG002 - files have none here
+        sequence_number: int = 0,  # files have none here
         *,
         recv_timestamp: int | None = None,
     ) -> None:

@@ -53,7 +53,7 @@ def load_entry_points(group_name: str) -> dict[str, Any]:
     for name, entry_point in get_entry_points(group_name).items():
         try:
             loaded[name] = entry_point.load()
-        except Exception as error:  # noqa: BLE001
+        except Exception as error:
             logging.getLogger("ros2cli.entry_points").warning(
                 "Failed to load entry point '%s' of %s: %s: %s", name, group_name, type(error).__name__, error
             )

@@ -47,7 +47,7 @@ def instantiate_extensions(
             continue
         try:
             extensions[name] = _instance(extension_class, name, unique_instance)
-        except Exception as error:  # noqa: BLE001
+        except Exception as error:
             _logger.warning(
                 "Failed to instantiate extension '%s' of %s: %s: %s",
                 name,

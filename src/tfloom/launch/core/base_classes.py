@@ -78,7 +78,7 @@ SomeSubstitutionsType_types_tuple = (str, Substitution, Iterable)
 """The same for `isinstance`."""
 
 
-class SubstitutionFailure(RuntimeError):  # noqa: N818  # ROS's name
+class SubstitutionFailure(RuntimeError):  # ROS's name
     """A substitution cannot be performed.
 
     Args:

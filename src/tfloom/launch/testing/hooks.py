@@ -35,7 +35,7 @@ __all__ = [
 Results = dict[TestRun, unittest.TestResult]
 
 
-class LaunchTestFailure(Exception):  # noqa: N818  # launch_testing's name
+class LaunchTestFailure(Exception):  # launch_testing's name
     """A launch failed, or tests of it.
 
     Args:

@@ -62,7 +62,7 @@ class Feeder:
             return
         try:
             function(sink)
-        except Exception as error:  # noqa: BLE001 - a user's, which must not end the next pushes
+        except Exception as error:  # a user's, which must not end the next pushes
             details = (type(error), error, error.__traceback__, self._thread)
             threading.excepthook(threading.ExceptHookArgs(details))
 

@@ -181,7 +181,7 @@ class MeetingPoint:
         while not self._is_closed.wait(PERIOD_S):
             try:
                 routers = {str(zid) for zid in session.info.routers_zid()}
-            except Exception:  # noqa: BLE001  # the session was closed by other means: there is nothing to watch
+            except Exception:  # the session was closed by other means: there is nothing to watch
                 return
             if self._gives_way(routers):
                 silent_since = None

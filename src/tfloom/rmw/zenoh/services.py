@@ -334,7 +334,7 @@ class ZenohRequester(_ServiceEnd):
     def _has_route(self) -> bool:
         try:
             return bool(self._querier.matching_status.matching)
-        except Exception:  # noqa: BLE001  # a ZError: it was closed meanwhile
+        except Exception:  # a ZError: it was closed meanwhile
             return False
 
     def receiving_servers(self) -> frozenset[str]:
