@@ -71,8 +71,15 @@ def test_commands_print_what_the_page_says(
 
 @pytest.mark.wire
 @pytest.mark.parametrize("distro", ["kilted", "lyrical"])
-@pytest.mark.parametrize("path", [DOCS / "tutorial" / "follower.md"], ids=name_of)
-def test_programs_of_the_tutorial_run_under_each_distribution(
+@pytest.mark.parametrize(
+    "path",
+    [
+        pytest.param(path, marks=pytest.mark.slow if path.stem == "package" else (), id=name_of(path))
+        for path in TUTORIAL
+        if path in WITH_COMMANDS
+    ],
+)
+def test_the_tutorial_runs_under_each_distribution(
     path: Path,
     folder: Path,
     distro: str,
@@ -80,15 +87,19 @@ def test_programs_of_the_tutorial_run_under_each_distribution(
     start_program: Callable[..., Program],
     wait_until: Callable[..., None],
 ) -> None:
-    """Run the broadcaster and the follower with turtlesim's messages imported as that distribution has them."""
+    """Run each page with turtlesim's messages imported as that distribution has them."""
     changed = []
     for program in folder.glob("*.py"):
         text = program.read_text("utf-8")
-        if "from turtlesim." in text:
-            program.write_text(text.replace("from turtlesim.", "from turtlesim_msgs."), "utf-8")
+        if (newer := with_newer_messages(text)) != text:
+            program.write_text(newer, "utf-8")
             changed.append(program.name)
     assert len(changed) == 2
-    run_commands(path, folder, start_program, wait_until, ROS_DISTRO=distro)
+    run_commands(path, folder, start_program, wait_until, change=with_newer_messages, ROS_DISTRO=distro)
+
+
+def with_newer_messages(program: str) -> str:
+    return program.replace("from turtlesim.", "from turtlesim_msgs.")
 
 
 def run_commands(
@@ -96,15 +107,16 @@ def run_commands(
     folder: Path,
     start_program: Callable[..., Program],
     wait_until: Callable[..., None],
+    change: Callable[[str], str] = str,
     **variables: str,
 ) -> None:
-    """Run the commands of a page, and compare what each prints."""
+    """Run the commands of a page, and compare what each prints; `change` is applied to the programs in a workspace."""
     environment = os.environ | COLCON_PYTHON | variables
     environment |= {"PATH": f"{BIN}{os.pathsep}{os.environ['PATH']}", "COLUMNS": "80"}
     for command in page.steps(page.blocks(path)):
         if not isinstance(command, page.Command):
             name, text = command
-            (folder / name).write_text(text, "utf-8")
+            (folder / name).write_text(change(text), "utf-8")
             continue
         if (word := command.words.split()[0]) == "source":
             sourced = run_to_end(["bash", "-c", f"{command.words} && env -0"], cwd=folder, env=environment)

@@ -13,6 +13,7 @@ import pytest
 from tests.cli.transcript import run_here
 from tests.launch.ros.user import User, expect_clean_end, is_running, pids_of
 
+from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.turtlesim.msg import Pose
 
 NAMESPACES = ("turtlesim1", "turtlesim2")
@@ -71,6 +72,35 @@ def test_demo_starts_its_nodes_and_ends_without_orphans(
         expect_clean_end(program, number)
     wait_until(lambda: not any(map(is_running, pids)))
     wait_until(lambda: not list(tmp_path.glob("launch_*")), what="the end of the temporary files")
+
+
+@pytest.mark.parametrize("distro", ["kilted", "lyrical"])
+def test_demo_has_the_types_of_the_distribution(
+    user: User, start_program: Callable[..., Any], wait_until: Callable[..., None], distro: str
+) -> None:
+    """A turtle that is spawned by the service's newer name has a pose of the newer name, which becomes a point."""
+    points: list[PointStamped] = []
+    user.node.create_subscription(PointStamped, "/turtle3/turtle_point_stamped", points.append, 10)
+    environment = {**os.environ, "ROS_DISTRO": distro}
+    program = start_program("tfloom", "launch", DEMO, "turtle_tf2_sensor_message.launch.py", env=environment)
+    spawn = ("/spawn", "turtlesim_msgs/srv/Spawn", "{x: 4.0, y: 2.0, name: turtle3}")
+    assert start_program("ros2", "service", "call", *spawn, env=environment).wait() == 0
+    wait_until(user.sees(lambda: points), what="a point of turtle3")
+    assert (points[0].point.x, points[0].point.y) == (4.0, 2.0)
+    assert points[0].header.frame_id == "world"
+    types = dict(user.node.get_topic_names_and_types() + user.node.get_service_names_and_types())
+    expected = {
+        "/turtle3/pose": "msg/Pose",
+        "/turtle1/color_sensor": "msg/Color",
+        "/spawn": "srv/Spawn",
+        "/kill": "srv/Kill",
+        "/turtle1/set_pen": "srv/SetPen",
+        "/turtle1/teleport_absolute": "srv/TeleportAbsolute",
+    }
+    assert {name: types[name] for name in expected} == {
+        name: [f"turtlesim_msgs/{kind}"] for name, kind in expected.items()
+    }
+    expect_clean_end(program)
 
 
 @pytest.mark.slow
