@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum, IntEnum
-from typing import TYPE_CHECKING, Any, Generic
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from tfloom.common.seconds import plain_value
 from tfloom.common.text import given_text, shortened
@@ -17,10 +17,11 @@ from tfloom.node.parameters.parameter_file import (
 )
 from tfloom.node.values.names import full_node_name
 from tfloom.node.values.scalars import parse_value
-from tfloom.node.values.type_support import TypeVar
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from typing_extensions import TypeVar as WithDefault
 
 __all__ = [
     "PARAMETER_SEPARATOR_STRING",
@@ -50,7 +51,12 @@ AllowableParameterValue = (
     | Sequence[str]
     | None
 )
-AllowableParameterValueT = TypeVar("AllowableParameterValueT", default=Any)
+
+# Not the TypeVar of type_support, because `import rclpy` loads this module, and not that one.
+if TYPE_CHECKING:
+    AllowableParameterValueT = WithDefault("AllowableParameterValueT", default=Any)
+else:
+    AllowableParameterValueT = TypeVar("AllowableParameterValueT")
 
 
 class ParameterType(IntEnum):
