@@ -1,7 +1,8 @@
 """Measure the wire on Zenoh beside the one on DDS, in turns: `python -m benchmarks.zenoh [--trips N] [--samples N]`.
 
 Two processes on the loopback interface, 200 octets a sample. The table has the medians of the turns and the ratios: on
-a loaded machine only these mean something.
+a loaded machine only these mean something. The library's own round trip, without tfloom, is the least that one on Zenoh
+takes: its Python binding has a thread of the library and the GIL at each end.
 """
 
 from __future__ import annotations
@@ -11,16 +12,17 @@ import os
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from statistics import median
 
-from benchmarks.zenoh.peer import ALL, ANSWER, ASK, NODE
+from benchmarks.zenoh.peer import ALL, ANSWER, ASK, NODE, Bare
 from tfloom._native import ReadyQueue
 from tfloom.rmw.backends import is_installed, open_participant
 
 WIRES = {"rmw_zenoh_cpp": "Zenoh", "rmw_cyclonedds_cpp": "Cyclone"}
 TURNS = 3
 RATE_HZ = 1000.0
-DOMAIN, PORT = "96", "30000"
+DOMAIN, PORT, BARE_PORT = "96", "30000", 30001
 PATIENCE_S = 30.0
 
 
@@ -46,18 +48,44 @@ def trips_us(count: int) -> tuple[float, float]:
         while not (writer.matched_count() and reader.matched_count()):
             assert time.monotonic() < end, "the peer isn't matched"
             time.sleep(0.01)
-        queue, data, times = ReadyQueue(), b"\0\1\0\0" + bytes(196), []
+        queue = ReadyQueue()
         reader.notify(queue)
-        for _ in range(count):
-            begun = time.perf_counter()
-            writer.write(data)
-            while reader.take() is None:
-                assert queue.wait(int(PATIENCE_S * 1e9)), "no echo"
-            times.append((time.perf_counter() - begun) * 1e6)
+        return percentiles_us(count, writer.write, reader.take, queue)
     finally:
         participant.close()
         peer.kill()
         peer.wait()
+
+
+def bare_trips_us(count: int) -> tuple[float, float]:
+    """Return p50 and p99 of round trips by Zenoh's library alone [us]."""
+    peer = start("bare", BARE_PORT)
+    end = Bare(BARE_PORT, ("ask", "answer"), listens=False)
+    try:
+        limit = time.monotonic() + PATIENCE_S
+        while not end.publisher.matching_status.matching:
+            assert time.monotonic() < limit, "the peer isn't matched"
+            time.sleep(0.01)
+        return percentiles_us(count, end.publisher.put, end.take, end.queue)
+    finally:
+        end.session.close()
+        peer.kill()
+        peer.wait()
+
+
+def percentiles_us(
+    count: int, write: Callable[[bytes], None], take: Callable[[], object], queue: ReadyQueue
+) -> tuple[float, float]:
+    """Return p50 and p99 of the times until what is written comes back [us]."""
+    times = []
+    for number in range(count):
+        data = b"\0\1\0\0" + number.to_bytes(4, "little") + bytes(192)
+        begun = time.perf_counter()
+        write(data)
+        while (answer := take()) is None:
+            assert queue.wait(int(PATIENCE_S * 1e9)), "no echo"
+        times.append((time.perf_counter() - begun) * 1e6)
+        assert getattr(answer, "data", answer) == data, "another echo"
     times.sort()
     return times[count // 2], times[count * 99 // 100]
 
@@ -104,15 +132,19 @@ def main() -> int:
         print(f"not measured: {' and '.join(missing)} is not installed")
         return 0
     turns: dict[str, list[dict[str, float]]] = {name: [] for name in WIRES}
+    bare: list[tuple[float, float]] = []
     for _ in range(TURNS):
         for name in WIRES:
             os.environ["RMW_IMPLEMENTATION"] = name
             turns[name].append(measure(args.trips, args.samples))
+        bare.append(bare_trips_us(args.trips))
     zenoh, cyclone = turns.values()
     print(f"{'[us]':40}{'Zenoh':>10}{'Cyclone':>10}{'ratio':>8}")
     for row in zenoh[0]:
         ours, theirs = (median(turn[row] for turn in measured) for measured in (zenoh, cyclone))
         print(f"{row:40}{ours:10.1f}{theirs:10.1f}{ours / theirs:8.1f}")
+    for row, values in zip(("p50", "p99"), zip(*bare, strict=True), strict=True):
+        print(f"{f'round trip by the library alone, {row}':40}{median(values):10.1f}")
     return 0
 
 

@@ -1,12 +1,16 @@
 """The other process of the benchmark: echoes samples, sends them at a rate, or counts them in a sink and in a callback.
 
 Arguments: `echo`, `send RATE COUNT`, `sink COUNT` or `callback COUNT`. It prints `ready`, and CPU time a sample [us].
+`bare PORT` echoes by the library alone, without tfloom's wire.
 """
 
 from __future__ import annotations
 
+import json
 import sys
 import time
+from collections import deque
+from typing import Any
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.backends import open_participant
@@ -30,6 +34,51 @@ def echo() -> None:
         while (sample := reader.take()) is not None:
             writer.write(sample.data)
         queue.wait(-1)
+
+
+class Bare:
+    """One end of the library alone: it writes to a key, and queues what comes on another.
+
+    Args:
+        port: Of the end that listens.
+        listens: Whether this is that end.
+        keys: What it writes to, and what it reads.
+    """
+
+    def __init__(self, port: int, keys: tuple[str, str], *, listens: bool) -> None:
+        import zenoh
+
+        config = zenoh.Config()
+        for name in ("scouting/multicast/enabled", "scouting/gossip/enabled"):
+            config.insert_json5(name, "false")
+        ends = {"listen": listens, "connect": not listens}
+        for name, is_used in ends.items():
+            config.insert_json5(f"{name}/endpoints", json.dumps([f"tcp/127.0.0.1:{port}"] if is_used else []))
+        self.session = zenoh.open(config)
+        self.received: deque[bytes] = deque()
+        self.queue = ReadyQueue()
+        self.publisher = self.session.declare_publisher(
+            keys[0], congestion_control=zenoh.CongestionControl.BLOCK, reliability=zenoh.Reliability.RELIABLE
+        )
+        self._subscriber = self.session.declare_subscriber(
+            keys[1], zenoh.handlers.Callback(self._on_sample, indirect=False)
+        )
+
+    def _on_sample(self, sample: Any) -> None:
+        self.received.append(sample.payload.to_bytes())
+        self.queue.post(1)
+
+    def take(self) -> bytes | None:
+        return self.received.popleft() if self.received else None
+
+
+def echo_bare(port: int) -> None:
+    end = Bare(port, ("answer", "ask"), listens=True)
+    print("ready", flush=True)
+    while True:
+        while (data := end.take()) is not None:
+            end.publisher.put(data)
+        end.queue.wait(-1)
 
 
 def send(rate: float, count: int) -> None:
@@ -76,6 +125,8 @@ if __name__ == "__main__":
     verb, *numbers = sys.argv[1:]
     if verb == "echo":
         echo()
+    elif verb == "bare":
+        echo_bare(int(numbers[0]))
     elif verb == "send":
         send(float(numbers[0]), int(numbers[1]))
     else:
