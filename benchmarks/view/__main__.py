@@ -2,8 +2,9 @@
 
 100 frames at 100 Hz, then also a cloud of 100,000 points at 10 Hz, with one page open, with ten, and with none. The
 page is a program that takes all that viser sends and draws nothing, because a browser without a graphics card would be
-what is measured. There is no peer: RViz has no wheels. At the end, `tfloom demo robot` drives and maps its room, and
-the recorded trajectory by the odometry alone, and that which the map corrects, are compared with the truth.
+what is measured; `benchmarks.view.browser` measures one. There is no peer: RViz has no wheels. At the end, `tfloom demo
+robot` drives and maps its room, and the recorded trajectory by the odometry alone, and that which the map corrects, are
+compared with the truth.
 """
 
 from __future__ import annotations
@@ -47,9 +48,23 @@ DRIVE_S = 60
 
 
 class Feeder:
-    """Publishes frames, and clouds while it is told so, on a thread."""
+    """Publishes frames, and clouds while it is told so, on a thread.
 
-    def __init__(self) -> None:
+    Args:
+        frames: How many.
+        rate_hz: How often each is published.
+        points: Of a cloud.
+        cloud_hz: How often a cloud is published.
+    """
+
+    def __init__(
+        self,
+        frames: int = FRAMES,
+        rate_hz: float = RATE_HZ,
+        points: int = POINTS,
+        cloud_hz: float = CLOUD_HZ,
+    ) -> None:
+        self._frames, self._rate_hz, self._points, self._cloud_hz = frames, rate_hz, points, cloud_hz
         self.node = Node("feeder")
         self.tf = TransformBroadcaster(self.node)
         self.clouds = self.node.create_publisher(PointCloud2, "points", 10)
@@ -63,20 +78,25 @@ class Feeder:
         self._thread.start()
 
     def _run(self) -> None:
-        points = np.random.default_rng(1).normal(0.0, 3.0, (POINTS, 4)).astype(np.float32)
+        points = np.random.default_rng(1).normal(0.0, 3.0, (self._points, 4)).astype(np.float32)
         fields = [
             PointField(name=name, offset=4 * place, datatype=PointField.FLOAT32, count=1)
             for place, name in enumerate(("x", "y", "z", "intensity"))
         ]
         points_bytes = points.tobytes()
         cloud = PointCloud2(
-            height=1, width=POINTS, fields=fields, point_step=16, row_step=16 * POINTS, data=points_bytes
+            height=1,
+            width=self._points,
+            fields=fields,
+            point_step=16,
+            row_step=16 * self._points,
+            data=points_bytes,
         )
-        transforms = [TransformStamped(child_frame_id=f"frame_{number}") for number in range(FRAMES)]
+        transforms = [TransformStamped(child_frame_id=f"frame_{number}") for number in range(self._frames)]
         next_s = time.monotonic()
         count = 0
         while not self._is_over.wait(max(0.0, next_s - time.monotonic())):
-            next_s += 1.0 / RATE_HZ
+            next_s += 1.0 / self._rate_hz
             count += 1
             stamp = self.node.get_clock().now().to_msg()
             for number, transform in enumerate(transforms):
@@ -86,7 +106,7 @@ class Feeder:
                 )
             self.sent[float(count)] = time.monotonic()
             self.tf.sendTransform(transforms)
-            if self.with_clouds and count % round(RATE_HZ / CLOUD_HZ) == 0:
+            if self.with_clouds and count % round(self._rate_hz / self._cloud_hz) == 0:
                 cloud.header.stamp, cloud.header.frame_id = stamp, "world"
                 # A cloud that stays is not sent again: each one's first point has another place, by which it is known.
                 cloud.data = struct.pack("<f", -float(count)) + points_bytes[4:]
