@@ -46,6 +46,8 @@ collect_ignore = (
         "test_recorded.py",
         "test_browser.py",
         "test_inline.py",
+        "test_interactive_markers.py",
+        "test_markers_in_browser.py",
         "test_open_ports.py",
         "test_page_scenes.py",
         "test_scene_in_browser.py",

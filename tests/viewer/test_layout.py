@@ -86,7 +86,7 @@ Visualization Manager:
           Enabled: true
           Topic:
             Value: /camera/image_raw
-    - Class: rviz_default_plugins/InteractiveMarkers
+    - Class: rviz_default_plugins/FluidPressure
       Enabled: true
       Name: Handles
     - Class: rviz_default_plugins/Map
@@ -212,7 +212,7 @@ def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Wr
     assert layout.camera.position[2] == pytest.approx(3.0 + 10.0 * math.sin(0.5))
     assert layout.camera.position[1] - 2.0 == pytest.approx(10.0 * math.cos(0.5) * math.sin(1.5))
     assert len(unknown) == 3
-    assert unknown[0] == "the display Handles of the class rviz_default_plugins/InteractiveMarkers"
+    assert unknown[0] == "the display Handles of the class rviz_default_plugins/FluidPressure"
     assert "robot.rviz" in unknown[1]
     assert "Value has to be a text, not [1]" in unknown[1]
     assert unknown[2] == "PublishPoint on /my_point, which publishes on /clicked_point here"
@@ -487,6 +487,12 @@ Visualization Manager:
     - {Class: rviz_default_plugins/Image, Topic: {Value: /camera/image}}
     - {Class: rviz_default_plugins/Camera, Topic: {Value: /front/image}}
     - {Class: rviz_default_plugins/TwistStamped, Linear Arrow Scale: 3, Topic: {Value: /twist}}
+    - Class: rviz_default_plugins/InteractiveMarkers
+      Enable Transparency: true
+      Interactive Markers Namespace: /arm/goals
+      Show Axes: true
+      Show Descriptions: false
+      Show Visual Aids: false
   Global Options: {Fixed Frame: odom}
 """
 SET_IN_RVIZ = {
@@ -530,6 +536,7 @@ SET_IN_RVIZ = {
         "position_tolerance": 0.5,
     },
     "/twist": {"linear_scale": 3.0},
+    "/arm/goals/update": {"axes": True, "descriptions": False},
 }
 
 
@@ -559,11 +566,28 @@ def test_file_of_rviz_is_written_as_it_was_read(write: Write) -> None:
     assert rviz_text(again[0]) == (text, [])
     written = yaml.safe_load(text)["Visualization Manager"]["Displays"]
     given = yaml.safe_load(CLOUD_OF_RVIZ)["Visualization Manager"]["Displays"]
+    handles = next(row for row in written if row["Class"].endswith("InteractiveMarkers"))
+    assert handles["Interactive Markers Namespace"] == "/arm/goals"
+    assert "Topic" not in handles
     cloud = next(row for row in written if row["Class"].endswith("PointCloud2"))
     for key in given[0].keys() - {"Name", "Topic", "Channel Name", "Position Transformer", "Selectable"}:
         assert cloud[key] == given[0][key], key
     own = read_layout(write(layout_text(layout)))
     assert own == (layout, [])
+
+
+def test_interactive_markers_of_rviz_of_ros_1_have_their_namespace_too(write: Write) -> None:
+    text = """\
+Visualization Manager:
+  Displays:
+    - {Class: rviz/InteractiveMarkers, Update Topic: /goals/update}
+    - {Class: rviz/InteractiveMarkers, Update Topic: ""}
+"""
+    layout, unknown = read_layout(write(text, "old.rviz"))
+    assert [(display.topic, display.kind) for display in layout.displays] == [
+        ("/goals/update", "InteractiveMarkers")
+    ]
+    assert unknown == []
 
 
 def test_camera_of_a_layout_is_that_of_the_file_of_rviz(write: Write) -> None:

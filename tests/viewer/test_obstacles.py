@@ -11,7 +11,7 @@ from tests.viewer.test_topic_reader import LOOSE, NODE, RELIABLE, Graph
 
 from tfloom.interfaces.geometry_msgs.msg import PoseArray, PoseStamped
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
-from tfloom.interfaces.visualization_msgs.msg import Marker
+from tfloom.interfaces.visualization_msgs.msg import InteractiveMarkerUpdate, Marker
 from tfloom.rmw.base import EndpointInfo
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.typed_names import topic_of
@@ -274,6 +274,15 @@ if HAS_VISER:
             stage.view.set_display("/colors", on=True)
         del stage.topics.classes["/colors"]
         assert row_of(stage, "/colors") is None
+
+    def test_interactive_markers_without_a_graph_are_a_sentence(stage: Stage) -> None:
+        stage.topics.add("/things/update", InteractiveMarkerUpdate())
+        stage.view.want("/things/update")
+        assert row_of(stage, "/things/update") == (
+            "InteractiveMarkers",
+            False,
+            "interactive markers are of a live graph: here is no server of them to be asked",
+        )
 
     def test_what_keeps_messages_away_is_said_also_of_what_is_still_drawn(stage: Stage) -> None:
         stage.topics.add("/pose", PoseStamped(header=header("map"), pose=pose()))

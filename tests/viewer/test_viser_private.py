@@ -62,6 +62,14 @@ CAMERA: dict[str, Any] = {
 }
 
 
+GIZMO = {
+    "type": "TransformControlsUpdateMessage",
+    "name": "/handles/0",
+    "wxyz": (1.0, 0.0, 0.0, 0.0),
+    "position": (3.0, 0.0, 0.0),
+}
+
+
 @pytest.mark.parametrize(
     ("message", "expected"),
     [
@@ -69,6 +77,10 @@ CAMERA: dict[str, Any] = {
         (CAMERA | {"image_height": 0}, False),
         (CAMERA | {"position": (float("nan"), 0.0, 0.0)}, False),
         (CAMERA | {"type": "ShareUrlRequest"}, False),
+        (GIZMO, True),
+        (GIZMO | {"position": (float("nan"), 0.0, 0.0)}, False),
+        (GIZMO | {"wxyz": (1.0, 0.0, 0.0)}, False),
+        (GIZMO | {"wxyz": (1e300, 0.0, 0.0, 0.0)}, False),
         ({"type": "ShareUrlRequest"}, False),
         ({"type": ["a"]}, False),
         ({}, False),

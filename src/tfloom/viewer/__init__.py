@@ -13,6 +13,7 @@
 - joints, published_joints: joints that pages move, those of a file or those that this process publishes
 - described: a robot of a file, without a graph
 - page_server, page_command: the server of our page, and what it is asked for
+- interactive/: interactive markers, dragged and clicked
 - forms/: what pages publish, call and send as goals, by forms made from any type
 - driving/: velocities, by a separate process, which stops robots whose page or viewer is gone
 - plots/: numeric fields of topics over time

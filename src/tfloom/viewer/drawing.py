@@ -79,8 +79,9 @@ class Drawn:
             # Pictures begin at their corner, viser's are around their middle.
             self._offset = np.array((shape.size[0] / 2.0, shape.size[1] / 2.0, 0.0))
         handle = _ADDERS[type(shape)](self._scene, self._name, shape)
-        if self._on_click is not None:
+        if self._on_click is not None and hasattr(handle, "on_click"):
             handle.on_click(self._on_click)
+            handle.on_click(modifier="shift")(self._on_click)
         return handle
 
     def change(self, shape: shapes.Shape) -> None:

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping
 from functools import partial
 from types import MappingProxyType
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from tfloom.tf2.buffer import LATEST
 from tfloom.tf2.errors import TransformException
@@ -25,7 +25,7 @@ from tfloom.viewer.obstacles import (
     thing_of,
     transform_text,
 )
-from tfloom.viewer.page_command import fault_text
+from tfloom.viewer.page_command import PageError, fault_text
 from tfloom.viewer.replay import Replay
 from tfloom.viewer.shapes import Copies, DisplayError, Placed, Points, Shape
 from tfloom.viewer.topic_log import END, Cursor, TopicLog
@@ -252,6 +252,23 @@ class Feed:
         if not isinstance(self.display, RobotDisplay):
             return []
         return [placed.frame_id for placed in self._poses_of[1]]
+
+    @property
+    def on_click(self) -> Callable[[int, Any], None] | None:
+        """What takes the number of a shape that is clicked and viser's event, on a thread of viser; None: nothing."""
+        return None
+
+    def choose_entry(self, client: int, command: Mapping[str, Any]) -> None:
+        """Choose an entry of the menu of an interactive marker.
+
+        Args:
+            client: Viser's number of the page's scene.
+            command: What the page asks for: `marker`, `control` and `entry`.
+
+        Raises:
+            PageError: it can't be chosen.
+        """
+        raise PageError(f"{shown_text(self.topic)} has no menus")
 
     @property
     def frame_id(self) -> str:

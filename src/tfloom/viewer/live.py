@@ -70,7 +70,7 @@ def live_viewer(
             closing(Sending(participant, node, watch.now_ns)) as forms,
         ):
             live_topics = LiveTopics(participant, node, history_ns, watch.now_ns)
-            live_only = LiveOnly(participant, topics, tools, driving, log, parameters, forms)
+            live_only = LiveOnly(participant, node, topics, tools, driving, log, parameters, forms)
             try:
                 with Viewer(
                     watch,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from tfloom.viewer.displays.display import shown_text
 
 if TYPE_CHECKING:
-    from tfloom.rmw.base import Participant
+    from tfloom.rmw.base import NodeName, Participant
     from tfloom.viewer.driving.link import Driving
     from tfloom.viewer.forms.sending import Sending
     from tfloom.viewer.log_lines import LogLines
@@ -21,6 +21,8 @@ class LiveOnly(NamedTuple):
     """What a graph has beyond a recording, which has nobody to ask."""
 
     participant: Participant
+    node: NodeName
+    """The node whose ends on the graph these are."""
     tf_topics: tuple[str, str]
     """The topics of moving and of static transforms."""
     tools: Tools

@@ -45,6 +45,7 @@ THINGS = {
     "Camera": "the camera",
     "Marker": "a marker",
     "MarkerArray": "a marker",
+    "InteractiveMarkers": "a marker",
     "Path": "the path",
     "Odometry": "the odometry",
     "Map": "the map",

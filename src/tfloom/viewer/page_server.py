@@ -55,7 +55,10 @@ FILES = {
     **{f"/{name}.css": (f"{name}.css", "text/css; charset=utf-8") for name in ("page", "uplot")},
     **{
         f"/{name}.js": (f"{name}.js", "text/javascript; charset=utf-8")
-        for name in ("page", "forms", "uplot", "plots", "joints", "settings", "graph", "views", "keys")
+        for name in (
+            *("page", "forms", "uplot", "plots", "joints", "settings", "graph", "views", "keys"),
+            "markers",
+        )
     },
 }
 PAGE_POLICY = (

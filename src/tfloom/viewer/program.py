@@ -15,6 +15,7 @@ from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.displays.kinds import described_settings
 from tfloom.viewer.extents import view_of
 from tfloom.viewer.forms.sending import FORM_COMMANDS
+from tfloom.viewer.interactive.markers_feed import Station
 from tfloom.viewer.joints import joint_command, joint_rows
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.layout.layout_file import layout_text
@@ -65,6 +66,10 @@ SETTLE_S = 60.0
 places its first camera."""
 TICK_S = 0.5
 """Longest wait for a command while no page is open [s]: so long takes an end."""
+
+HERE_S = 2.0
+"""How long after a page has said that it is there it may hold an interactive marker [s]: one that draws slowly says it
+late."""
 
 LIVE_COMMANDS = FORM_COMMANDS | {"floor", "drive", "graph", "parameters", "set_parameter"}
 """Commands that a recording has nobody for."""
@@ -148,6 +153,12 @@ class Viewer:
             report=self._note_once,
         )
         self._scenes = PageScenes(self._server, self.view, scene, self._note_once)
+        self._heard_s: dict[str, float] = {}
+        """When pages that may hold an interactive marker said last that they are there, on the monotonic clock [s]."""
+        if live is not None:
+            self.view.station = Station(
+                live.participant, live.node, self._server.scene, self._is_holding, self._answer_client
+            )
         if joints is not None:
             self.view.about = joints.about
         self.pages = PageServer(self._server, self._queue_command, self._image_of)
@@ -192,8 +203,12 @@ class Viewer:
         if command is CLOSED and self._live is not None:
             self._live.driving.forget(page)
             self._live.forms.forget(page)
+        if command is CLOSED:
+            self._heard_s.pop(page, None)
         operation = command.get("op")  # of any type, because nothing of the command was checked yet
-        if isinstance(operation, str) and operation in AT_ONCE:
+        if operation == "here":
+            self._heard_s[page] = time.monotonic()
+        elif isinstance(operation, str) and operation in AT_ONCE:
             self._do(page, command)
         elif command is CLOSED or self._commands.qsize() < MAX_COMMANDS:
             self._commands.put((page, command))
@@ -335,6 +350,8 @@ class Viewer:
             self._show_robot(page, operation, command)
         elif operation in SCENE_COMMANDS:
             self._scenes.command(page, operation, command)
+        elif operation == "marker_menu":
+            self.view.choose_entry(self._server.client_of(page), command)
         elif operation in LISTS:
             self._list(page, operation, command)
         elif operation not in LIVE_COMMANDS:
@@ -355,6 +372,15 @@ class Viewer:
             self.pages.answer(page, {"plot_csv": self.view.plot_csv(command)})
         else:
             self._list_fields(page, text(command, "topic"))
+
+    def _is_holding(self, client: int) -> bool:
+        """Return whether the scene of viser's client is there, and its page was heard of lately."""
+        page = self._server.page_of(client)
+        return page is not None and time.monotonic() - self._heard_s.get(page, -math.inf) < HERE_S
+
+    def _answer_client(self, client: int, answer: dict[str, Any]) -> None:
+        if (page := self._server.page_of(client)) is not None:
+            self.pages.answer(page, answer)
 
     def _follow_page(self, page: str, operation: str) -> None:
         """Note what a page is to be given as soon as it is known, or that the page was closed."""

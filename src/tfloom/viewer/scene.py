@@ -241,7 +241,11 @@ class Scene:
         self._marks = self._set_lines("/marks", self._marks, ends.astype(np.float32), ORANGE, 3.0)
 
     def draw_display(
-        self, topic: str, placed: Sequence[tuple[Shape, Pose | None]], frames: Sequence[str] = ()
+        self,
+        topic: str,
+        placed: Sequence[tuple[Shape, Pose | None]],
+        frames: Sequence[str] = (),
+        clicked: Callable[[int, Any], None] | None = None,
     ) -> str:
         """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden.
 
@@ -249,6 +253,8 @@ class Scene:
             topic: The display's topic.
             placed: The shapes, each with its pose in the fixed frame.
             frames: The frame of each shape, which a click on it selects; empty: clicks do nothing.
+            clicked: Called in place of that with the number of a shape and viser's event, on a thread of viser; the
+                same as long as the display is there.
 
         Returns:
             Why one of the shapes can't be drawn, which doesn't hide the others; empty if all are.
@@ -263,6 +269,7 @@ class Scene:
             now = drawn[index] if index < len(drawn) else None
             try:
                 on_click = partial(self._shape_clicked, topic, index) if frames else None
+                on_click = on_click if clicked is None else partial(clicked, index)
                 now = self._drawn(f"/displays/{number}/{index}", now, shape, on_click)
                 now.place(pose)
             except Exception as error:  # of one shape: the others are drawn

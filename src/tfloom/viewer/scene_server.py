@@ -120,6 +120,16 @@ class SceneServer:
         client.camera.look_at = np.array(view_point.look_at)
         return True
 
+    def page_of(self, client: int) -> str | None:
+        """Return the page of viser's client; None where its scene has gone."""
+        if client not in self._server.get_clients():
+            return None
+        return next((page for page, number in list(self._clients.items()) if number == client), None)
+
+    def client_of(self, page: str) -> int:
+        """Return viser's number of the client of a page; -1 where it has no scene."""
+        return self._clients.get(page, -1)
+
     def forget(self, page: str) -> None:
         """Forget a page that was closed."""
         self._clients.pop(page, None)

@@ -22,7 +22,7 @@ from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import LABELS, Kind, kind_of
+from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, Kind, kind_of
 from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, SettingError, to_file, usual_values
 from tfloom.viewer.extents import Extent, extent_of
@@ -65,9 +65,10 @@ if TYPE_CHECKING:
     from tfloom.tf2_tools.watch.sources import Source
     from tfloom.viewer.displays.settings import Setting, Value
     from tfloom.viewer.drawing import Pose
+    from tfloom.viewer.interactive.markers_feed import Station
     from tfloom.viewer.scene import Scene
     from tfloom.viewer.shapes import Shape
-    from tfloom.viewer.topic_log import Entry
+    from tfloom.viewer.topic_log import Cursor, Entry
     from tfloom.viewer.topics import Topics
 
 __all__ = ["MAX_TRAILS", "SharedView"]
@@ -147,6 +148,8 @@ class SharedView:
         """What each display showed last."""
         self.near: Path | None = None
         """The folder of the robot's description, around which meshes are looked for; None where it is not known."""
+        self.station: Station | None = None
+        """What displays of interactive markers have of a live graph; None without one."""
         self.about: Callable[[str], str] = lambda _: ""
         """Returns a line about a selected frame, or an empty text."""
         self._wanted: dict[str, DisplayLayout] = {}
@@ -375,7 +378,7 @@ class SharedView:
         except DisplayError as error:
             raise PageError(str(error)) from None
         try:
-            feed = Feed(topic, kind, cursor)
+            feed = self._feed_of(kind, topic, cursor)
         except BaseException:
             cursor.close()
             raise
@@ -383,6 +386,30 @@ class SharedView:
         if isinstance(feed.display, RobotDisplay):
             feed.display.near = self.near
         return feed
+
+    def _feed_of(self, kind: Kind, topic: str, cursor: Cursor) -> Feed:
+        if kind.label != INTERACTIVE:
+            return Feed(topic, kind, cursor)
+        if self.station is None:
+            raise PageError("interactive markers are of a live graph: here is no server of them to be asked")
+        from tfloom.viewer.interactive.markers_feed import MarkersFeed
+
+        return MarkersFeed(topic, kind, cursor, self.station)
+
+    def choose_entry(self, client: int, command: Mapping[str, Any]) -> None:
+        """Choose an entry of the menu of an interactive marker.
+
+        Args:
+            client: Viser's number of the page's scene.
+            command: What the page asks for.
+
+        Raises:
+            PageError: it can't be chosen.
+        """
+        topic = text(command, "topic")
+        if (feed := next((feed for feed in self._feeds.values() if feed.topic == topic), None)) is None:
+            raise PageError(f"{shown_text(topic)} is not shown")
+        feed.choose_entry(client, command)
 
     def _kind_of(self, wanted: DisplayLayout) -> Kind:
         """Return the kind of a display that is wanted.
@@ -604,7 +631,7 @@ class SharedView:
         for topic, feed in self._feeds.items():
             try:
                 drawn = self._drawn[topic] = feed.draw(self.buffer, fixed, held_ns, now_ns)
-                fault = self._scene.draw_display(topic, drawn, feed.frames())
+                fault = self._scene.draw_display(topic, drawn, feed.frames(), feed.on_click)
                 feed.status = feed.status or shown_text(fault)
             except Exception as error:  # of one display: the others are drawn
                 feed.fail(error)

@@ -14,6 +14,7 @@ import viser
 from viser.infra import WebsockServer
 
 from tfloom.viewer.camera import is_usable
+from tfloom.viewer.displays.display import MAX_COORDINATE_M
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -25,6 +26,9 @@ SCENE_MESSAGES = (
     "SceneNodeClickMessage",
     "SceneNodeDragMessage",
     "ScenePointerMessage",
+    "TransformControlsDragStartMessage",
+    "TransformControlsUpdateMessage",
+    "TransformControlsDragEndMessage",
 )
 """What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
 TUNNEL_MESSAGES = ("ShareUrlRequest", "ShareUrlDisconnect")
@@ -105,6 +109,9 @@ def is_readable(data: bytes) -> bool:
         if isinstance(message, _messages.ViewerCameraMessage):
             aspect = message.image_width / message.image_height
             return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
+        if isinstance(message, _messages.TransformControlsUpdateMessage):
+            numbers = (*message.position, *message.wxyz)
+            return len(numbers) == 7 and all(abs(part) < MAX_COORDINATE_M for part in numbers)
     except Exception:  # viser has no error for what can't be read
         return False
     return True

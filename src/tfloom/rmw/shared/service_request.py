@@ -81,6 +81,11 @@ class ServiceRequest:
         """Whether the request was sent."""
         return self._number is not None
 
+    @property
+    def servers(self) -> frozenset[str]:
+        """The servers that are connected, by names that stand for them here."""
+        return self._requester.connected_servers()
+
     def is_ready(self) -> bool:
         """Return whether there is a server.
 

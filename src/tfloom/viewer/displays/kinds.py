@@ -14,6 +14,7 @@ from tfloom.viewer.displays.settings import (
     CLOUD_SETTINGS,
     FRAME_SETTINGS,
     GRID_SETTINGS,
+    INTERACTIVE_SETTINGS,
     MAP_SETTINGS,
     MARKER_SETTINGS,
     ODOMETRY_SETTINGS,
@@ -35,10 +36,12 @@ if TYPE_CHECKING:
     from tfloom.viewer.displays.settings import Setting, Values
 
 __all__ = [
+    "INTERACTIVE",
     "KEPT_TYPES",
     "KINDS",
     "LABELS",
     "ROBOT",
+    "UPDATE_SUFFIX",
     "Kind",
     "described_settings",
     "kind_of",
@@ -46,6 +49,7 @@ __all__ = [
 ]
 
 NO_SETTINGS: Mapping[str, Setting] = MappingProxyType({})
+INTERACTIVE = "InteractiveMarkers"
 
 
 class Kind(NamedTuple):
@@ -63,8 +67,13 @@ class Kind(NamedTuple):
     """Whether it shows a topic; if not, the frames alone."""
 
 
-KEPT_TYPES = frozenset(("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray"))
+INTERACTIVE_TYPE = "visualization_msgs/msg/InteractiveMarkerUpdate"
+KEPT_TYPES = frozenset(
+    ("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray", INTERACTIVE_TYPE)
+)
 """Types whose displays keep what earlier messages made."""
+UPDATE_SUFFIX = "/update"
+"""Follows the namespace of interactive markers in the topic of their updates."""
 
 KINDS = {
     "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay", CLOUD_SETTINGS),
@@ -76,6 +85,9 @@ KINDS = {
     "sensor_msgs/msg/CompressedImage": Kind("Image", "", ""),
     "visualization_msgs/msg/Marker": Kind("Marker", "markers", "MarkerDisplay", MARKER_SETTINGS),
     "visualization_msgs/msg/MarkerArray": Kind("MarkerArray", "markers", "MarkerDisplay", MARKER_SETTINGS),
+    INTERACTIVE_TYPE: Kind(
+        INTERACTIVE, "interactive_markers", "InteractiveMarkersDisplay", INTERACTIVE_SETTINGS
+    ),
     "nav_msgs/msg/Path": Kind("Path", "poses", "shapes_of_path", PATH_SETTINGS),
     "nav_msgs/msg/Odometry": Kind("Odometry", "poses", "shapes_of_odometry", ODOMETRY_SETTINGS),
     "nav_msgs/msg/OccupancyGrid": Kind("Map", "occupancy_grid", "shapes_of_grid", MAP_SETTINGS),

@@ -16,6 +16,7 @@ __all__ = [
     "CLOUD_SETTINGS",
     "FRAME_SETTINGS",
     "GRID_SETTINGS",
+    "INTERACTIVE_SETTINGS",
     "MAP_SETTINGS",
     "MARKER_SETTINGS",
     "MAX_HISTORY",
@@ -514,6 +515,11 @@ TWIST_SETTINGS: Mapping[str, Setting] = {
 """As those of wrenches, for 1 m/s and 1 rad/s."""
 
 MARKER_SETTINGS: Mapping[str, Setting] = {"hidden_namespaces": NamesSetting((), "Namespaces")}
+
+INTERACTIVE_SETTINGS: Mapping[str, Setting] = {
+    "descriptions": FlagSetting(True, "Show Descriptions"),
+    "axes": FlagSetting(False, "Show Axes"),
+}
 
 ROBOT_SETTINGS: Mapping[str, Setting] = {
     "opacity": _opacity(),

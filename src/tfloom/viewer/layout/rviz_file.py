@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from tfloom.viewer.displays.kinds import LABELS
+from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, UPDATE_SUFFIX
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, Setting, SettingError, Value
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
@@ -40,6 +40,8 @@ OWN_KEYS = frozenset(
 QUALITY_KEYS = frozenset(("Queue Size", "Unreliable", "Update Topic", "Use Timestamp", "Update Interval"))
 """… that say how messages are received: here each topic is read once, for all displays."""
 IDLE: Mapping[str, Any] = {
+    "Enable Transparency": True,
+    "Show Visual Aids": False,
     "Position Transformer": "XYZ",
     "TF Prefix": "",
     "Draw Behind": False,
@@ -52,6 +54,9 @@ IDLE: Mapping[str, Any] = {
     "Normal Cell Count": 0,
 }
 """… that have no counterpart, and change nothing with these values."""
+NAMESPACE_KEY = "Interactive Markers Namespace"
+OLD_UPDATE_KEY = "Update Topic"
+"""The topic of the updates of interactive markers, in files of ROS 1."""
 TOPIC_KEYS = ("Topic", "Image Topic", "Marker Topic", "Description Topic", "Depth Map Topic")
 """Where a display's topic is; the second and the third in files of ROS 1."""
 TOOL_TOPICS = {"SetGoal": GOAL_TOPIC, "SetInitialPose": INITIAL_TOPIC, "PublishPoint": POINT_TOPIC}
@@ -147,6 +152,8 @@ class _Reader:
             if topic:
                 self._add(topic, "Image")
                 self._add(f"{topic.rpartition('/')[0]}/camera_info", "Camera")
+        elif kind == INTERACTIVE:
+            self._take_interactive(name, display)
         elif kind in LABELS and kind not in OURS:
             settings = self._settings(name, display, LABELS[kind].settings)
             topic = self._topic(display, TOPIC_KEYS) or ("/robot_description" if kind == "RobotModel" else "")
@@ -156,6 +163,14 @@ class _Reader:
         else:
             return False
         return True
+
+    def _take_interactive(self, name: str, display: dict[Any, Any]) -> None:
+        namespace = self._file.text(display, NAMESPACE_KEY) or self._file.text(display, OLD_UPDATE_KEY)
+        if namespace:
+            topic = namespace.removesuffix(UPDATE_SUFFIX).removesuffix("/") + UPDATE_SUFFIX
+            settings = self._settings(name, display, LABELS[INTERACTIVE].settings)
+            self._add(topic, INTERACTIVE, settings=settings)
+        self._name_others(name, display, LABELS[INTERACTIVE].settings)
 
     def _take_frames(self, name: str, display: dict[Any, Any]) -> None:
         self.with_names = self._file.flag(display, "Show Names", default=True)
@@ -189,6 +204,7 @@ class _Reader:
     def _name_others(self, name: str, display: dict[Any, Any], table: Mapping[str, Setting]) -> None:
         """Name the properties of a display that have no counterpart, unless they are as they usually are."""
         known = {setting.rviz.partition("/")[0] for setting in table.values()} | OWN_KEYS | QUALITY_KEYS
+        known.add(NAMESPACE_KEY)
         others = [
             str(key)
             for key, value in display.items()

@@ -7,18 +7,22 @@ from collections.abc import Mapping
 from typing import Any
 
 from tfloom.viewer.displays.camera_info import images_of
-from tfloom.viewer.displays.kinds import LABELS
+from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, UPDATE_SUFFIX
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, Setting, usual_values
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, ViewPoint
-from tfloom.viewer.layout.rviz_file import NO_TARGET, OURS, RVIZ_SECTION, TOOL_TOPICS
+from tfloom.viewer.layout.rviz_file import NAMESPACE_KEY, NO_TARGET, OURS, RVIZ_SECTION, TOOL_TOPICS
 
 __all__ = ["rviz_text"]
 
 PLUGINS = "rviz_default_plugins"
-TOPIC_PROPERTIES = {"RobotModel": "Description Topic", "DepthCloud": "Depth Map Topic"}
+TOPIC_PROPERTIES = {
+    "RobotModel": "Description Topic",
+    "DepthCloud": "Depth Map Topic",
+    INTERACTIVE: NAMESPACE_KEY,
+}
 """Where a display's topic is, if not in the property Topic."""
-PLAIN_TOPICS = frozenset(("DepthCloud",))
-"""Displays whose topic is a text, without its quality of service."""
+PLAIN_TOPICS = frozenset(("DepthCloud", INTERACTIVE))
+"""Displays whose topic, or the namespace of it, is a text, without its quality of service."""
 
 
 def rviz_text(layout: Layout) -> tuple[str, list[str]]:
@@ -95,6 +99,8 @@ class _Writer:
         made = self._of_class(kind.label, name, kind.settings, values)
         if kind.has_topic:
             property_name = TOPIC_PROPERTIES.get(kind.label, "Topic")
+            if kind.label == INTERACTIVE:
+                topic = topic.removesuffix(UPDATE_SUFFIX)
             made[property_name] = topic if kind.label in PLAIN_TOPICS else {"Value": topic}
         if "color_by" in values:
             _color_by_choice(made, values["color_by"], display.choice)

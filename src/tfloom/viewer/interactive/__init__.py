@@ -1,0 +1,6 @@
+"""Interactive markers on pages: dragged, clicked, and asked for their menus.
+
+- gizmos: what pages drag, as nodes of viser's scene
+- markers_feed: the display of a namespace of markers, with its ends on the graph
+- dragging: who drags which marker, and what its server is told of it
+"""
