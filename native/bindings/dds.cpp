@@ -6,6 +6,7 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <memory>
 #include <optional>
@@ -262,6 +263,9 @@ void bind_reader(nb::module_& m) {
       .def("take_decoded", &take_decoded, "message_class"_a,
            nb::sig("def take_decoded(self, message_class: type) -> tuple[typing.Any, int, int, bytes] | None"),
            "As `take`; but a large sample that can be decoded is a message of `message_class` instead of bytes.")
+      .def("announce_filter", &Reader::announce_filter, "expression"_a, "parameters"_a, ReleaseGil(),
+           nb::sig("def announce_filter(self, expression: str, parameters: list[str]) -> None"),
+           "Tell writers which samples are wanted, in DDS's subset of SQL; an empty expression accepts all.")
       .def("feed", &feed, "sink"_a,
            "Push every further sample into `sink`, on a thread without Python.")
       .def("close", &Reader::close, ReleaseGil(),

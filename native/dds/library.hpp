@@ -75,6 +75,7 @@ class Error : public std::runtime_error {
   X(dds_, Result, get_sample_lost_status, (Entity reader, LostStatus*)) \
   X(dds_, Result, assert_liveliness, (Entity writer)) \
   X(dds_, Result, wait_for_acks, (Entity writer, std::int64_t timeout_ns)) \
+  X(dds_, Result, set_qos, (Entity, const Qos_*)) \
   X(dds_, Qos_*, create_qos, ()) \
   X(dds_, void, delete_qos, (Qos_*)) \
   X(dds_, void, qset_userdata, (Qos_*, const void*, std::size_t size)) \

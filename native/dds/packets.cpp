@@ -82,11 +82,11 @@ std::vector<std::byte> joined(const msghdr& message) {
   return datagram;
 }
 
-// Send what announces endpoints with their participant; return nullopt for anything else, which is not sent.
-std::optional<ssize_t> send_discovery(int descriptor, const msghdr& message, int flags) {
+// Send what announces endpoints with what libddsc leaves out; return nullopt for anything else, which is not sent.
+std::optional<ssize_t> send_discovery(rtps::ServiceForms& forms, int descriptor, const msghdr& message, int flags) {
   constexpr std::size_t max_datagram = 65'507;  // of UDP
   const std::vector<std::byte> datagram = joined(message);
-  std::optional<std::vector<std::byte>> completed = rtps::with_participants(datagram);
+  std::optional<std::vector<std::byte>> completed = forms.complete(datagram);
   if (!completed || completed->size() > max_datagram) return std::nullopt;
   iovec part{completed->data(), completed->size()};
   msghdr replaced = message;
@@ -103,7 +103,7 @@ ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   if (!address) return ::sendmsg(descriptor, message, flags);
   // Data may go to the addresses of discovery, too: to a multicast group.
   if (forms.discovers(*address)) {
-    if (const auto sent = send_discovery(descriptor, *message, flags)) return *sent;
+    if (const auto sent = send_discovery(forms, descriptor, *message, flags)) return *sent;
   }
   const bool is_inline = forms.is_of_inline_peer(*address);
   pace(*address, size_of(*message), is_inline);

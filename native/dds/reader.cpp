@@ -48,6 +48,8 @@ Reader::Reader(Participant& participant, const TopicName& topic, const Qos& qos,
                                      make_reader_qos(library_, qos, user_data).get(), nullptr),
               "cannot read " + topic.name),
       gid_(gid_of(library_, entity_.get())),
+      topic_name_(topic.name),
+      user_data_(user_data),
       events_(library_, false, [this] { matches_changed(); }),
       peers_(library_, false),
       drain_task_([this] { return drain(); }) {
@@ -204,6 +206,16 @@ std::optional<Events::Status> Reader::take_event(Event event) {
   return closed_ ? std::nullopt : events_.take(event, entity_.get());
 }
 
+void Reader::announce_filter(const std::string& expression, const std::vector<std::string>& parameters) {
+  const std::lock_guard lifecycle(lifecycle_mutex_);
+  if (closed_ || participant_.is_forked()) return;
+  rtps::ServiceForms::of_process().set_content_filter(gid_, {topic_name_, expression, parameters});
+  // libddsc has no such parameter: it is added to what it sends. The user data are what it may change of a reader, and it
+  // announces the reader anew when they do. Readers of user data pass over keys that they don't know.
+  const std::string changed = user_data_ + "filter=" + std::to_string(++announcements_) + ";";
+  library_.set_qos(entity_.get(), make_user_data(library_, changed).get());
+}
+
 void Reader::close() {
   std::shared_ptr<Sink> former;  // as in `feed`
   const std::lock_guard lifecycle(lifecycle_mutex_);
@@ -216,6 +228,7 @@ void Reader::close() {
   }
   former = std::move(shared_sink_);
   events_.close();
+  if (announcements_ > 0) rtps::ServiceForms::of_process().clear_content_filter(gid_);
   entity_.close();
   topic_.close();
 }

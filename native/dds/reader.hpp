@@ -44,6 +44,10 @@ class Reader {
   // one is fed or the reader is closed.
   void feed(std::shared_ptr<Sink> sink);
 
+  // Tell writers which samples are wanted, as far as they can filter: all are taken that arrive. An empty expression accepts
+  // all. Do nothing after `close`.
+  void announce_filter(const std::string& expression, const std::vector<std::string>& parameters);
+
   [[nodiscard]] std::size_t matched_count() const;
   [[nodiscard]] std::vector<Peer> matched();
   [[nodiscard]] const Gid& gid() const { return gid_; }
@@ -71,6 +75,9 @@ class Reader {
   OwnedEntity topic_;  // constant after construction, like the next two
   OwnedEntity entity_;
   Gid gid_;
+  const std::string topic_name_;
+  const std::string user_data_;
+  int announcements_ = 0;  // of filters; guarded by lifecycle_mutex_
   Events events_;  // thread-safe by itself, like the next
   Peers peers_;
   std::shared_ptr<rtps::ServiceEnd> service_end_;  // constant after the first take; thread-safe by itself
@@ -81,7 +88,7 @@ class Reader {
   std::atomic<Sink*> sink_ = nullptr;        // written with feed_mutex_ held
   std::mutex feed_mutex_;                    // held by the thread that feeds; a listener acquires it by try_lock only
   std::vector<Gid> publishers_;              // guarded by feed_mutex_: those at the last change of the matches
-  std::mutex lifecycle_mutex_;               // held during `feed` and `close`
+  std::mutex lifecycle_mutex_;               // held during `feed`, `announce_filter` and `close`
   std::shared_ptr<Sink> shared_sink_;        // what sink_ points to; guarded by lifecycle_mutex_
   std::mutex listener_mutex_;                // acquired in the listener, so it is held for short sections only
   ReadyQueue::Shared queue_;                 // guarded by listener_mutex_, like the next

@@ -1,5 +1,6 @@
 #include "rtps/announcements.hpp"
 
+#include <span>
 #include <algorithm>
 
 namespace tfloom::rtps {
@@ -161,6 +162,57 @@ void add_number(std::vector<std::byte>& out, std::uint16_t number, bool is_littl
   out.push_back(is_little_endian ? high : low);
 }
 
+void add_number32(std::vector<std::byte>& out, std::uint32_t number, bool is_little_endian) {
+  for (int i = 0; i < 4; ++i) {
+    const int shift = 8 * (is_little_endian ? i : 3 - i);
+    out.push_back(static_cast<std::byte>(number >> shift & 0xff));
+  }
+}
+
+constexpr std::uint16_t content_filter_id = 0x35;
+constexpr std::string_view filter_class = "DDSSQL";
+
+// Append a text as CDR has it, where the parameter's value begins at `start`.
+void add_text(std::vector<std::byte>& out, std::size_t start, std::string_view text, bool is_little_endian) {
+  while ((out.size() - start) % 4 != 0) out.push_back(std::byte{0});
+  add_number32(out, static_cast<std::uint32_t>(text.size() + 1), is_little_endian);
+  const auto bytes = std::as_bytes(std::span(text));
+  add_bytes(out, bytes);
+  out.push_back(std::byte{0});
+}
+
+// Return the parameter that announces a filter: the names of the filtered topic and of the topic, the language, the
+// expression, and its parameters. Empty if it exceeds the size of a parameter.
+std::vector<std::byte> filter_parameter(const ContentFilter& filter, bool is_little_endian) {
+  std::vector<std::byte> value;
+  add_text(value, 0, filter.topic + "_filtered", is_little_endian);
+  add_text(value, 0, filter.topic, is_little_endian);
+  add_text(value, 0, filter_class, is_little_endian);
+  add_text(value, 0, filter.expression, is_little_endian);
+  while (value.size() % 4 != 0) value.push_back(std::byte{0});
+  add_number32(value, static_cast<std::uint32_t>(filter.parameters.size()), is_little_endian);
+  for (const std::string& parameter : filter.parameters) add_text(value, 0, parameter, is_little_endian);
+  while (value.size() % 4 != 0) value.push_back(std::byte{0});
+  std::vector<std::byte> out;
+  if (value.size() >= max_submessage_size) return out;
+  add_number(out, content_filter_id, is_little_endian);
+  add_number(out, static_cast<std::uint16_t>(value.size()), is_little_endian);
+  add_bytes(out, value);
+  return out;
+}
+
+// Return the filter of the reader that a submessage announces; nullptr if it has none.
+const ContentFilter* filter_of(const Data& data, const ContentFilters& filters) {
+  if (filters.empty() || data.writer != subscriptions_writer) return nullptr;
+  auto parameters = parameters_of(data);
+  while (const auto parameter = parameters ? parameters->next() : std::nullopt) {
+    if (parameter->id != endpoint_guid_id || !parameter->value.has(std::tuple_size_v<Gid>)) continue;
+    const auto filter = filters.find(bytes_at<std::tuple_size_v<Gid>>(parameter->value.bytes(), 0));
+    return filter == filters.end() ? nullptr : &filter->second;
+  }
+  return nullptr;
+}
+
 // Return where the parameters of an endpoint's announcement end, from the start of its payload; nullopt if it is none, or if
 // it names its participant.
 std::optional<std::size_t> end_of_endpoint(const Data& data) {
@@ -178,7 +230,7 @@ std::optional<std::size_t> end_of_endpoint(const Data& data) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> with_participants(Bytes datagram) {
+std::optional<std::vector<std::byte>> with_participants(Bytes datagram, const ContentFilters& filters) {
   auto message = Message::of(datagram);
   if (!message) return std::nullopt;
   const Gid participant = gid_of(message->source(), participant_entity);
@@ -189,7 +241,7 @@ std::optional<std::vector<std::byte>> with_participants(Bytes datagram) {
     if (submessage->kind == Kind::info_src) return std::nullopt;  // what follows is of another participant
     const auto data = Data::of(*submessage);
     const auto end = data ? end_of_endpoint(*data) : std::nullopt;
-    const std::size_t size = submessage->bytes.size() - submessage_header_size + 4 + guid.size();
+    std::size_t size = submessage->bytes.size() - submessage_header_size + 4 + guid.size();
     if (!end || size > max_submessage_size) {
       add_bytes(out, submessage->bytes);
       continue;
@@ -201,6 +253,13 @@ std::optional<std::vector<std::byte>> with_participants(Bytes datagram) {
     add_number(out, participant_guid_id, is_little_endian);
     add_number(out, static_cast<std::uint16_t>(guid.size()), is_little_endian);
     add_bytes(out, guid);
+    if (const ContentFilter* const filter = filter_of(*data, filters)) {
+      const std::vector<std::byte> added = filter_parameter(*filter, is_little_endian);
+      if (size + added.size() <= max_submessage_size) {  // else the reader alone filters
+        add_bytes(out, added);
+        size += added.size();
+      }
+    }
     add_bytes(out, submessage->bytes.subspan(at));
     std::vector<std::byte> length;
     add_number(length, static_cast<std::uint16_t>(size), submessage->fields().is_little_endian());

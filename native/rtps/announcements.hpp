@@ -79,10 +79,19 @@ class Versions {
 // Return whether a topic, by its name on the wire, carries the requests or responses of a service.
 bool is_of_service(std::string_view topic);
 
-// Return the datagram in which the announcements of this process's endpoints name their participant, or nullopt if it has
-// none that do not. Fast DDS 3 takes an endpoint's participant, and so its node, from that parameter alone; libddsc sends it
-// for participants only. Others derive it from the endpoint's GUID, and ignore the parameter or check that it agrees.
-std::optional<std::vector<std::byte>> with_participants(Bytes datagram);
+// Which samples of a topic a reader wants, in DDS's subset of SQL.
+struct ContentFilter {
+  std::string topic;  // its name on the wire
+  std::string expression;
+  std::vector<std::string> parameters;
+};
+using ContentFilters = std::map<Gid, ContentFilter>;  // by reader
+
+// Return the datagram in which the announcements of this process's endpoints name their participant, and of its readers
+// their content filter; nullopt if it has none that do not. Fast DDS 3 takes an endpoint's participant, and so its node, from
+// that parameter alone; libddsc sends it for participants only. Others derive it from the endpoint's GUID, and ignore the
+// parameter or check that it agrees. The writers of Fast DDS send a reader only what its filter accepts.
+std::optional<std::vector<std::byte>> with_participants(Bytes datagram, const ContentFilters& filters = {});
 
 // Return the writer of a service's requests or responses that a submessage announces, or nullopt if it announces none.
 std::optional<Gid> announced_service_writer(const Data& data);

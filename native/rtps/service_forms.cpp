@@ -437,6 +437,22 @@ bool ServiceForms::discovers(const Address& address) {
   return participant && uses_inline_form(*participant);
 }
 
+void ServiceForms::set_content_filter(const Gid& reader, ContentFilter filter) {
+  const std::lock_guard lock(mutex_);
+  content_filters_[reader] = std::move(filter);
+}
+
+void ServiceForms::clear_content_filter(const Gid& reader) {
+  if (is_abandoned_) return;
+  const std::lock_guard lock(mutex_);
+  content_filters_.erase(reader);
+}
+
+std::optional<std::vector<std::byte>> ServiceForms::complete(Bytes datagram) {
+  const std::lock_guard lock(mutex_);
+  return with_participants(datagram, content_filters_);
+}
+
 std::optional<Gid> ServiceForms::inline_client(const std::array<std::uint8_t, 8>& key) {
   const std::lock_guard lock(mutex_);
   const auto client = inline_clients_.find(key);

@@ -147,6 +147,15 @@ class ServiceForms {
   // Return whether a participant that uses the inline form receives discovery at an address, or may: a multicast group.
   [[nodiscard]] bool discovers(const Address& address);
 
+  // Announce a reader's content filter from its next announcement on, in place of an earlier one.
+  void set_content_filter(const Gid& reader, ContentFilter filter);
+
+  // Announce none any more: the reader is closed.
+  void clear_content_filter(const Gid& reader);
+
+  // Return a datagram of discovery with what libddsc's announcements lack, or nullopt if it can be sent as it is.
+  std::optional<std::vector<std::byte>> complete(Bytes datagram);
+
   // Return whether there are clients or servers, whose datagrams are to be rewritten.
   [[nodiscard]] bool has_ends() const { return has_ends_; }
 
@@ -227,6 +236,7 @@ class ServiceForms {
   std::map<std::array<std::uint8_t, 8>, Gid> inline_clients_;         // by the key in our headers
   RecentMap<Gid, std::array<std::uint8_t, 8>> keys_{max_clients};  // the reverse
   RecentMap<Gid, Beginning> beginnings_{max_clients};
+  ContentFilters content_filters_;
   std::uint64_t next_key_;
 };
 

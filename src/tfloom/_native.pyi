@@ -236,6 +236,11 @@ class DdsReader:
         As `take`; but a large sample that can be decoded is a message of `message_class` instead of bytes.
         """
 
+    def announce_filter(self, expression: str, parameters: list[str]) -> None:
+        """
+        Tell writers which samples are wanted, in DDS's subset of SQL; an empty expression accepts all.
+        """
+
     def feed(self, sink: Sink) -> None:
         """Push every further sample into `sink`, on a thread without Python."""
 

@@ -574,6 +574,27 @@ void check_participants() {
   relayed.insert(relayed.end(), behind.begin() + 20, behind.end());
   check(!rtps::with_participants(relayed), "the endpoint of another participant stays");
 
+  // A filter follows the participant, for the announcement of its reader alone.
+  const rtps::ContentFilters filters = {{our_writer, {"rt/x", "data > %0", {"5", "'a'"}}}};
+  const Datagram filtered = *rtps::with_participants(endpoint_announcement(our_writer, 4, false), filters);
+  const Datagram plain = endpoint_announcement(our_writer, 4, true);
+  Builder value(our_writer);
+  value.begin(0x15, 5).u16(0x35).u16(80);
+  value.u32(14).text("rt/x_filtered").bytes({0, 0, 0}).u32(5).text("rt/x").bytes({0, 0, 0, 0}).u32(7).text("DDSSQL");
+  value.bytes({0, 0}).u32(10).text("data > %0").bytes({0, 0, 0}).u32(2).u32(2).text("5").bytes({0, 0, 0});
+  value.u32(4).text("'a'").bytes({0});
+  const Datagram whole_value = value.end();
+  const Datagram parameter(whole_value.begin() + 24, whole_value.end());
+  check(filtered.size() == plain.size() + parameter.size(), "a filter is added to a reader's announcement");
+  check(std::equal(parameter.begin(), parameter.end(), filtered.end() - 4 - static_cast<std::ptrdiff_t>(parameter.size())),
+        "as the standard has it");
+  const Datagram writers = *rtps::with_participants(endpoint_announcement(our_writer, 3, false), filters);
+  check(writers == Datagram(endpoint_announcement(our_writer, 3, true)), "a writer has no filter");
+  const Datagram others = *rtps::with_participants(endpoint_announcement(fast_writer, 4, false), filters);
+  check(others == Datagram(endpoint_announcement(fast_writer, 4, true)), "nor has another reader");
+  const rtps::ContentFilters huge = {{our_writer, {"rt/x", std::string(70'000, 'x'), {}}}};
+  check(*rtps::with_participants(endpoint_announcement(our_writer, 4, false), huge) == plain, "one that is too long is not sent");
+
   const rtps::Address discovery = {fast_address.bytes, 7410};
   const rtps::Address group = {{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 239, 255, 0, 1}, 7400};
   ServiceForms forms;

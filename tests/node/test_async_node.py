@@ -444,6 +444,18 @@ def test_parameters_and_their_services(make: MakeNode, context: Context) -> None
     run(main)
 
 
+def test_sleep_for_what_is_no_time() -> None:
+    async def main() -> None:
+        clock = AsyncClock()
+        for seconds in (float("inf"), float("nan"), float("-inf")):
+            with pytest.raises(ValueError, match=f"a finite number of seconds, got {seconds}"):
+                await clock.sleep(seconds)
+        with pytest.raises(TypeError, match=r"needs a number of seconds, as 0\.5, got 'x'"):
+            await clock.sleep("x")  # type: ignore[arg-type]
+
+    run(main)
+
+
 def test_sleep_by_each_clock(make: MakeNode) -> None:
     async def main() -> None:
         for clock_type in (ClockType.SYSTEM_TIME, ClockType.STEADY_TIME, ClockType.ROS_TIME):

@@ -7,10 +7,12 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+from tests.conftest import wait_until
 from tests.each import for_each
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.example_interfaces.action import Fibonacci
+from tfloom.interfaces.example_interfaces.msg import WString
 from tfloom.interfaces.rcl_interfaces.msg import ParameterEvent, ParameterValue
 from tfloom.interfaces.sensor_msgs.msg import JointState, LaserScan
 from tfloom.interfaces.std_msgs.msg import Bool, Float32, Header, Int32, String, UInt64
@@ -26,6 +28,7 @@ from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.wait_for_message import wait_for_message
+from tfloom.rmw.local.endpoints import LocalReader
 from tfloom.rosidl import cdr
 
 SpinUntil = Callable[..., None]
@@ -501,3 +504,80 @@ def test_feedback_of_other_clients_is_dropped_by_its_id(
     executor.spin_once(timeout_sec=0)
     assert got == {client: [2], other: [1, 3]}
     assert len(decoded) == (1 if is_optimised else 3)
+
+
+def test_writers_are_told_of_what_they_filter_alike(node: Node, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A pattern and a `wstring` mean something else to them: they are told to send all."""
+    told: list[tuple[str, list[str]]] = []
+    monkeypatch.setattr(
+        LocalReader,
+        "announce_filter",
+        lambda _, expression, parameters: told.append((expression, parameters)),
+    )
+    subscription = node.create_subscription(String, "words", print, 10)
+    subscription.set_content_filter("data LIKE 'a%'", [])
+    assert told == []
+    subscription.set_content_filter("data = %0", ["'a'"])
+    assert told == [("data = %0", ["'a'"])]
+    subscription.set_content_filter("data = 'b' OR data LIKE 'a%'", [])
+    assert told[1:] == [("", [])]
+    subscription.set_content_filter("data = 'b'", [])
+    subscription.set_content_filter("", [])
+    assert told[2:] == [("data = 'b'", []), ("", [])]
+    told.clear()
+    with pytest.raises(RCLError):
+        subscription.set_content_filter("data =", [])
+    assert told == []
+    node.create_subscription(
+        String, "other", print, 10, content_filter_options=ContentFilterOptions("data <> 'a'", [])
+    )
+    assert told == [("data <> 'a'", [])]
+    assert not ContentFilter(WString, ContentFilterOptions("data = 'a'", [])).is_announced
+
+
+@pytest.mark.parametrize("parameters", [None, "5", 5, [5], {"5"}])
+def test_parameters_that_are_no_list_of_texts(node: Node, parameters: Any) -> None:
+    with pytest.raises(TypeError, match="expression parameters must be a list of str, got "):
+        node.create_subscription(
+            String, "words", print, 10, content_filter_options=ContentFilterOptions("data = %0", parameters)
+        )
+
+
+@pytest.mark.wire
+def test_filters_are_announced_on_dds_until_the_reader_is_closed(domain_id: int) -> None:
+    """Another participant sees each announcement; no sample is kept from a writer that can't filter."""
+    context, other = Context(), Context()
+    context.init(args=[], domain_id=domain_id)
+    other.init(args=[], domain_id=domain_id)
+    try:
+        node, peer = Node("filtering", context=context), Node("publishing", context=other)
+        subscription = node.create_subscription(
+            Int32, "numbers", lambda message: got.append(message.data), 10
+        )
+        publisher = peer.create_publisher(Int32, "numbers", 10)
+        got: list[int] = []
+        wait_until(lambda: publisher.get_subscription_count() == 1)
+        with SingleThreadedExecutor(context=context) as executor:
+            executor.add_node(node)
+            for first, expression, expected in (
+                (0, "data > 5", [6, 7]),
+                (10, "data BETWEEN 10 AND 12 OR data = 17", [10, 11, 12, 17]),
+                (20, "", list(range(20, 28))),
+            ):
+                subscription.set_content_filter(expression, [])
+                for number in range(first, first + 8):
+                    publisher.publish(Int32(data=number))
+                end = time.monotonic() + 10.0
+                while not got or got[-1] != expected[-1]:
+                    assert time.monotonic() < end
+                    executor.spin_once(0.05)
+                assert [number for number in got if number >= first] == expected
+        (info,) = peer.get_subscriptions_info_by_topic("/numbers")
+        assert info.node_name == "filtering"
+        subscription.set_content_filter("data > 5", [])
+        reader = subscription._endpoint
+        subscription.destroy()
+        reader.announce_filter("data > 6", [])  # after its end: nothing happens
+    finally:
+        context.try_shutdown()
+        other.try_shutdown()

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.conftest import run_to_end
 
 from tfloom.interfaces.std_msgs.msg import Int32, String
 from tfloom.node.executing.event_handler import (
@@ -288,3 +291,18 @@ def test_deprecated_name_of_the_module_warns() -> None:
     import rclpy.event_handler
 
     assert rclpy.qos_event.PublisherEventCallbacks is rclpy.event_handler.PublisherEventCallbacks
+
+
+def test_a_module_that_lyrical_lacks_warns_there(tmp_path: Path) -> None:
+    code = (
+        "import warnings; warnings.simplefilter('always')\n"
+        "with warnings.catch_warnings(record=True) as caught:\n"
+        "    import rclpy.topic_endpoint_info as former\n"
+        "import rclpy.endpoint_info as present\n"
+        "assert former.TopicEndpointInfo is present.TopicEndpointInfo\n"
+        "print([(one.category.__name__, str(one.message), one.filename) for one in caught])"
+    )
+    text = "rclpy.topic_endpoint_info is deprecated from lyrical on: use rclpy.endpoint_info"
+    for name, expected in (("kilted", []), ("lyrical", [("DeprecationWarning", text, "<string>")])):
+        done = run_to_end([sys.executable, "-c", code], env=os.environ | {"ROS_DISTRO": name}, cwd=tmp_path)
+        assert (done.stdout.strip(), done.returncode) == (str(expected), 0), done.stderr

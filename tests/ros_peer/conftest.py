@@ -43,6 +43,7 @@ ROWS = (
 """The rows of the table, in order. One without a test is printed as not run, so that it is not forgotten."""
 
 ALSO_BESIDE_KILTED = {
+    "test_content_filters",
     "test_listings",
     "test_messages",
     "test_qos",

@@ -9,6 +9,7 @@ it has ended.
 from __future__ import annotations
 
 import asyncio
+import math
 import sys
 import threading
 from abc import ABC, abstractmethod
@@ -18,7 +19,7 @@ from inspect import isawaitable
 from types import CoroutineType
 from typing import TYPE_CHECKING, Any, Generic
 
-from tfloom.common.seconds import to_nanoseconds
+from tfloom.common.seconds import not_a_number, to_nanoseconds
 from tfloom.node.base.base_classes import (
     BaseClient,
     BaseClock,
@@ -300,7 +301,13 @@ class AsyncClock(BaseClock):
             TimeSourceChangedError: simulated time was switched on or off meanwhile.
             CancelledError: the clock, or its node, was destroyed meanwhile.
             RuntimeError: it was destroyed before.
+            TypeError: `seconds` is not a number.
+            ValueError: it is not finite.
         """
+        if not isinstance(seconds, (int, float)):
+            raise TypeError(f"sleep() {not_a_number('a number of seconds', seconds)}")
+        if not math.isfinite(seconds):
+            raise ValueError(f"sleep() needs a finite number of seconds, got {seconds}")
         if self._is_destroyed:
             raise RuntimeError("Cannot sleep on a destroyed clock")
         loop, task = asyncio.get_running_loop(), asyncio.current_task()

@@ -6,7 +6,7 @@ ROS's form here (`/turtle1/pose`, `turtlesim/msg/Pose`); each backend converts t
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple, Protocol
 
 from tfloom._native import ReadyQueue, Sink
@@ -250,6 +250,12 @@ class Reader(Endpoint, Protocol):
 
     def publisher_hash(self, gid: bytes) -> str:
         """Return the hash that a publisher has given for its type, by its gid; empty if it is unknown."""
+
+    def announce_filter(self, expression: str, parameters: Sequence[str]) -> None:
+        """Tell writers which samples are wanted, by DDS's subset of SQL; an empty expression accepts all.
+
+        Few can filter, and only on some wires: whoever takes must filter all the same.
+        """
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` on the wire's thread from now on, those already waiting first.

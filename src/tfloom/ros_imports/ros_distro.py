@@ -113,6 +113,7 @@ REMOVED = {
     "rclpy.qos_event": ("lyrical", "rclpy.event_handler"),
     "rclpy.clock.ROSClock": ("lyrical", "Clock(clock_type=ClockType.ROS_TIME)"),
     "rclpy.action.get_action_names_and_types and its like": ("lyrical", "the methods of Node of these names"),
+    "rclpy.topic_endpoint_info": ("lyrical", "rclpy.endpoint_info"),
     "message_filters.Cache.getLastestTime": ("kilted", "getLatestTime"),
     "the URDF argument of robot_state_publisher": ("lyrical", "the parameter robot_description"),
     "topics of `ros2 bag record` without an option": ("lyrical", "--topics"),

@@ -62,16 +62,18 @@ class ContentFilter:
         expression, parameters = options
         if not isinstance(expression, str):
             raise TypeError(f"a filter expression must be a str, got {expression!r}")
-        if isinstance(parameters, str) or not all(isinstance(text, str) for text in parameters):
+        is_list = isinstance(parameters, Sequence) and not isinstance(parameters, str)
+        if not is_list or not all(isinstance(text, str) for text in parameters):
             raise TypeError(f"expression parameters must be a list of str, got {parameters!r}")
         if len(parameters) > MAX_PARAMETERS:
             raise FilterError(f"The maximum of expression parameters argument number is {MAX_PARAMETERS}")
         if max(map(len, (expression, *parameters))) > MAX_LENGTH:
             raise FilterError(f"an expression or a parameter is longer than {MAX_LENGTH} characters")
         self.options = ContentFilterOptions(expression, list(parameters))
-        self._predicate: Predicate = (
-            _Parser(msg_type, expression, parameters).parse() if expression else _accept
-        )
+        parser = _Parser(msg_type, expression, parameters)
+        self._predicate: Predicate = parser.parse() if expression else _accept
+        self.is_announced = parser.is_portable
+        """Whether writers that filter accept all that this does, so that they may be told."""
 
     def accepts(self, message: Message) -> bool:
         """Return whether the subscription receives a message."""
@@ -141,6 +143,8 @@ class _Parser:
         self._tokens = list(self._split())
         self._index = 0
         self._depth = 0
+        self.is_portable = True
+        """Whether all that was read means in Fast DDS what it means here, or accepts more there."""
 
     def _error(self, what: str, position: int) -> FilterError:
         return FilterError(f"{what}, at character {position + 1} of {self._expression[:200]!r}")
@@ -247,6 +251,7 @@ class _Parser:
         return _joined(above, [(True, self._compared(left, operator.le, high, position))])
 
     def _like(self, left: _Operand, right: _Operand, position: int) -> Predicate:
+        self.is_portable = False  # the patterns of Fast DDS are regular expressions
         if {left.kind, right.kind} != {_TEXT}:
             raise self._error("LIKE compares texts", position)
         if left.literal is not None and right.literal is not None:
@@ -318,6 +323,7 @@ class _Parser:
         if type_ is None or message_class is not None:
             raise self._error(f"{token.text} is a message: name one of its fields", token.position)
         is_text = type_.base in {"string", "wstring"}
+        self.is_portable = self.is_portable and type_.base != "wstring"  # no text of Fast DDS equals one
         convert = str if is_text else _CONVERSIONS.get(type_.base, int)
         return _Operand(
             _TEXT if is_text else _NUMBER, token.text, _reading(tuple(steps), convert), base=type_.base

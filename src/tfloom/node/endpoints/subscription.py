@@ -105,6 +105,8 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         """Of the executor that this is attached to, and the token there."""
         self.event_handlers: list[EventHandler] = []
         self._filter: ContentFilter | None = None
+        self._is_filter_announced = False
+        """Whether writers were told of a filter, so that they must be told of the next one, or of none."""
         self._accepted: tuple[Sample | None, Any] = (None, None)
         """The sample that the filter has accepted last, and its message. Replaced whole."""
 
@@ -214,6 +216,11 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         if content_filter is not None:
             self.filter_samples(self._accepts)
         self._filter = content_filter
+        is_announced = content_filter is not None and content_filter.is_announced
+        if is_announced or self._is_filter_announced:
+            options = content_filter.options if content_filter is not None and is_announced else ("", [])
+            self._endpoint.announce_filter(*options)
+            self._is_filter_announced = True
 
     def filter_samples(self, accepts: Callable[[Sample], bool]) -> None:
         """Take only the samples that a function accepts, in place of an earlier one."""

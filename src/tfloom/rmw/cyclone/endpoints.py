@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, cast
 
@@ -239,6 +239,10 @@ class CycloneReader(CycloneEndpoint):
         """As `take`; but the data of a large sample is a message of `message_class`, if it can be decoded."""
         sample_fields = self._native.take_decoded(message_class)
         return None if sample_fields is None else Sample(*sample_fields)
+
+    def announce_filter(self, expression: str, parameters: Sequence[str]) -> None:
+        """Tell writers of Fast DDS which samples are wanted; an empty expression accepts all."""
+        self._native.announce_filter(expression, list(parameters))
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first."""

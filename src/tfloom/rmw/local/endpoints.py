@@ -10,7 +10,7 @@ from __future__ import annotations
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from tfloom._native import ReadyQueue, Sink, encode
@@ -250,6 +250,9 @@ class LocalReader(LocalEndpoint):
                 if stored.expires_ns > time.time_ns():
                     return stored.sample
         return None
+
+    def announce_filter(self, expression: str, parameters: Sequence[str]) -> None:
+        """Do nothing, because no writer filters on this wire."""
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first."""

@@ -10,7 +10,7 @@ import math
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from typing import Any
 
@@ -566,6 +566,9 @@ class ZenohReader(ZenohEndpoint):
                 ):
                     return sample
         return None
+
+    def announce_filter(self, expression: str, parameters: Sequence[str]) -> None:
+        """Do nothing, because no writer filters on this wire."""
 
     def feed(self, sink: Sink) -> None:
         """Push every sample into `sink` from now on, those already waiting first, on a thread of this reader's own.
