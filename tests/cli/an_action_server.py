@@ -17,6 +17,8 @@ from rclpy.service_introspection import ServiceIntrospectionState
 from turtlesim.action import RotateAbsolute
 
 SUCCEEDED, CANCELED = 4, 5
+SLOW = 7
+"""The theta of a goal that is accepted late."""
 NAME = "/turtle1/rotate_absolute/_action"
 Impl = RotateAbsolute.Impl
 thetas: dict[bytes, float] = {}
@@ -24,6 +26,8 @@ canceled: set[bytes] = set()
 
 
 def on_goal(request: Impl.SendGoalService.Request, response: Impl.SendGoalService.Response) -> object:
+    if request.goal.theta == SLOW:
+        time.sleep(2.0)
     response.accepted = request.goal.theta != 0
     thetas[bytes(request.goal_id.uuid)] = request.goal.theta
     return response

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 import transcript
-from tests.conftest import Program
+from tests.conftest import Program, wait_until
 
 SEND = ("action", "send_goal", "/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute")
 
@@ -156,3 +156,16 @@ def test_the_acceptance_comes_first_and_lists_as_the_reference_prints_them(
     answer = transcript.run_here(*words)
     assert transcript.mask_goal(answer.text).replace("order: #", "order: 2") == LISTS
     assert answer.exit_code == 0
+
+
+def test_a_goal_that_takes_too_long_is_cancelled(server: Program) -> None:
+    answer = transcript.run_here(*SEND, "{theta: -1.0}", "-t", "0.5")
+    assert answer.exit_code == 1
+    said = "Timed out waiting for the result after 0.5 seconds. Canceling goal...\nGoal canceled."
+    assert answer.text.endswith(said), answer.text
+    before = server.output.count("canceling")
+    answer = transcript.run_here(*SEND, "{theta: 7.0}", "--timeout", "0.3")
+    assert answer.exit_code == 1
+    assert answer.text.endswith("Timed out waiting for goal acceptance after 0.3 seconds.")
+    wait_until(lambda: server.output.count("canceling") > before)
+    assert transcript.run_here(*SEND, "{theta: 1.0}", "-t", "30").exit_code == 0

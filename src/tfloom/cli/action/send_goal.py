@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import math
 import time
-from contextlib import ExitStack
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
 from typing import Any
 
-from tfloom.cli.shared import graph
+from tfloom.cli.parser import help_since
+from tfloom.cli.shared import graph, numbers
 from tfloom.cli.shared.calls import Client, service_client
-from tfloom.cli.shared.errors import standard_input
+from tfloom.cli.shared.errors import CommandError, standard_input
 from tfloom.cli.shared.interfaces import action_class, fill_message, parse_yaml
 from tfloom.cli.shared.listen import cli_node, decoded, shown_node
 from tfloom.cli.shared.names import full_topic_name
@@ -41,6 +44,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--stdin", action="store_true", help="read the goal's YAML from standard input")
     parser.add_argument("-f", "--feedback", action="store_true", help="print the feedback")
+    parser.add_argument(
+        "-t",
+        "--timeout",
+        type=numbers.positive,
+        default=math.inf,
+        metavar="N",
+        help=help_since(
+            "kilted",
+            "seconds to wait until the goal is accepted, and then for its result; after that, it is cancelled",
+        ),
+    )
 
 
 def main(args: argparse.Namespace) -> int:
@@ -56,12 +70,23 @@ def main(args: argparse.Namespace) -> int:
         print("Waiting for an action server to become available...")
         client.wait_for_server()
         print(f"Sending goal:\n     {message_to_yaml(goal)}")
-        if not client.send(goal):
+        try:
+            is_accepted = client.send(goal, args.timeout)
+        except TimeoutError:
+            print(f"Timed out waiting for goal acceptance after {args.timeout:g} seconds.")
+            with suppress(CommandError):  # it does not respond: there is nothing more to say
+                client.cancel()  # the goal may have been accepted, with a response that is late
+            return 1
+        if not is_accepted:
             print("Goal was rejected.")
             return 1
         try:  # from here on, because a user who reads that the goal is accepted may press Ctrl-C at once
             print(f"Goal accepted with ID: {key_of(client.goal_id).hex()}\n")
-            response = client.result()
+            response = client.result(args.timeout)
+        except TimeoutError:
+            print(f"Timed out waiting for the result after {args.timeout:g} seconds. Canceling goal...")
+            print(client.cancel())
+            return 1
         except KeyboardInterrupt:
             print("Canceling goal...")
             print(client.cancel())
@@ -126,18 +151,18 @@ class _ActionClient:
         while self._feedback and not self._feedback.matched_count() and time.monotonic() < end_s:
             time.sleep(0.005)
 
-    def send(self, goal: Any) -> bool:
-        """Send the goal and return whether it was accepted."""
+    def send(self, goal: Any, timeout_s: float = math.inf) -> bool:
+        """Send the goal and return whether it was accepted; TimeoutError if that takes longer."""
         request = self._class.Impl.SendGoalService.Request(goal_id=self.goal_id, goal=goal)
         self._send_goal.send(request)
         # Feedback may arrive before the response, and is printed after the goal's id.
-        return bool(self._send_goal.receive(self._take_feedback).accepted)
+        return bool(self._send_goal.receive(_until(timeout_s, self._take_feedback)).accepted)
 
-    def result(self) -> Any:
-        """Wait for the goal's end and return status and result."""
+    def result(self, timeout_s: float = math.inf) -> Any:
+        """Wait for the goal's end and return status and result; TimeoutError if that takes longer."""
         request = self._class.Impl.GetResultService.Request(goal_id=self.goal_id)
         self._get_result.send(request)
-        response = self._get_result.receive(self._print_feedback)
+        response = self._get_result.receive(_until(timeout_s, self._print_feedback))
         # The last feedback may still be in the reader when the result arrives: print it before the result.
         self._print_feedback()
         return response
@@ -163,3 +188,15 @@ class _ActionClient:
             message = decoded(self._class.Impl.FeedbackMessage, sample)
             if message is not None and key_of(message.goal_id) == self._key:
                 self._unprinted.append(message.feedback)
+
+
+def _until(timeout_s: float, meanwhile: Callable[[], None]) -> Callable[[], None]:
+    """Return what calls `meanwhile`, and raises TimeoutError once a time is over."""
+    end_s = time.monotonic() + timeout_s
+
+    def look() -> None:
+        meanwhile()
+        if time.monotonic() > end_s:
+            raise TimeoutError
+
+    return look
