@@ -70,7 +70,7 @@ def test_the_script_says_same_for_the_same_program(
     ("planted", "difference"),
     [
         (
-            "endpoints.pack = lambda number, gid: attachment.pack(number, bytes(16))",
+            "endpoints.pack_attachment = lambda number, gid: tokens.pack_attachment(number, bytes(16))",
             "a gid of no token",
         ),
         ("tokens.DEFAULT_DEPTH = 10", "std_msgs::msg::dds_::String_/RIHS01_"),
@@ -85,7 +85,7 @@ def test_the_script_names_a_difference(
     tmp_path: Path,
 ) -> None:
     """The program in the place of the stock one runs on a tfloom with a mistake."""
-    code = f"from tfloom.rmw.zenoh import attachment, endpoints, tokens\n{planted}\n"
+    code = f"from tfloom.rmw.zenoh import endpoints, tokens\n{planted}\n"
     (tmp_path / "sitecustomize.py").write_text(code, "utf-8")
     setup = tmp_path / "setup.bash"
     setup.write_text(f"export PYTHONPATH={shlex.quote(str(tmp_path))}\n", "utf-8")

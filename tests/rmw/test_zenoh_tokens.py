@@ -18,7 +18,6 @@ from tfloom.rmw.qos import (
     QoS,
     ReliabilityPolicy,
 )
-from tfloom.rmw.zenoh import attachment as zenoh_attachment
 from tfloom.rmw.zenoh.tokens import (
     End,
     Kind,
@@ -26,10 +25,12 @@ from tfloom.rmw.zenoh.tokens import (
     TokenError,
     data_key,
     gid_of,
+    pack_attachment,
     parse_qos,
     parse_token,
     qos_text,
     token_key,
+    unpack_attachment,
     wire_qos,
 )
 
@@ -179,7 +180,7 @@ def test_attachments_are_those_of_zenohs_serialization() -> None:
     from zenoh.ext import Int64, z_serialize
 
     gid = bytes(range(16))
-    data = zenoh_attachment.pack(7, gid)
+    data = pack_attachment(7, gid)
     stamp_ns = struct.unpack_from("<q", data, 8)[0]
     assert data == z_serialize((Int64(7), Int64(stamp_ns), gid)).to_bytes()
     assert len(data) == 33
@@ -191,15 +192,15 @@ def test_attachments_are_those_of_zenohs_serialization() -> None:
 def test_short_attachments_are_none(cut: int) -> None:
     import zenoh
 
-    assert zenoh_attachment.unpack(zenoh.ZBytes(zenoh_attachment.pack(1, bytes(16))[:cut])) is None
+    assert unpack_attachment(zenoh.ZBytes(pack_attachment(1, bytes(16))[:cut])) is None
 
 
 @NEEDS_ZENOH
 def test_attachments_with_a_gid_of_another_size_are_none_and_longer_ones_are_read() -> None:
     import zenoh
 
-    data = bytearray(zenoh_attachment.pack(1, bytes(16)))
-    assert zenoh_attachment.unpack(zenoh.ZBytes(bytes(data) + b"more")).sequence_number == 1
+    data = bytearray(pack_attachment(1, bytes(16)))
+    assert unpack_attachment(zenoh.ZBytes(bytes(data) + b"more")).sequence_number == 1
     data[16] = 15
-    assert zenoh_attachment.unpack(zenoh.ZBytes(bytes(data))) is None
-    assert zenoh_attachment.unpack(None) is None
+    assert unpack_attachment(zenoh.ZBytes(bytes(data))) is None
+    assert unpack_attachment(None) is None

@@ -40,7 +40,6 @@ from tfloom.rmw.qos import (
     ReliabilityPolicy,
 )
 from tfloom.rmw.zenoh import announced as zenoh_announced
-from tfloom.rmw.zenoh import attachment as zenoh_attachment
 from tfloom.rmw.zenoh import config as zenoh_config
 from tfloom.rmw.zenoh import graph as zenoh_graph
 from tfloom.rmw.zenoh import services as zenoh_services
@@ -49,7 +48,7 @@ from tfloom.rmw.zenoh.events import MIN_PERIOD_S, Timers
 from tfloom.rmw.zenoh.graph import ZenohGraph
 from tfloom.rmw.zenoh.services import ServiceEndpoint, ZenohRequester, ZenohResponder
 from tfloom.rmw.zenoh.session import open_session
-from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, data_key, gid_of, token_key
+from tfloom.rmw.zenoh.tokens import PREFIX, End, Kind, Token, data_key, gid_of, pack_attachment, token_key
 
 zenoh = pytest.importorskip("zenoh", reason="eclipse-zenoh is not installed: pip install 'tfloom[zenoh]'")
 
@@ -336,7 +335,7 @@ def test_hostile_requests_are_dropped_and_the_server_goes_on(
     assert server.take() is None
     assert "no attachment of rmw_zenoh's form" in server.last_drop_reason()
     replies: list[Any] = []
-    attachment = zenoh_attachment.pack(4, GID)
+    attachment = pack_attachment(4, GID)
     querier.get(callback(replies.append), payload=HEADER + b"good", attachment=attachment)
     request = take_one(server)
     assert request.data == HEADER + b"good"
@@ -759,7 +758,7 @@ def test_queries_of_a_client_that_left_are_dropped(
     token = declare_token(plain, domain_id, Kind.CLIENT, KILL_END)
     gid = gid_of(plain_key(plain, domain_id, Kind.CLIENT, KILL_END))
     querier = ready_querier(plain, kill_key(domain_id))
-    querier.get(callback(print), payload=HEADER + b"ask", attachment=zenoh_attachment.pack(1, gid))
+    querier.get(callback(print), payload=HEADER + b"ask", attachment=pack_attachment(1, gid))
     wait_until(lambda: server._queries)
     # Zenoh tells nothing of a token that ends before it was told of.
     wait_until(lambda: gid in {end.gid for end in participant.graph.service_ends()})
@@ -818,10 +817,10 @@ def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
     def answer(query: Any) -> None:
         asked.append(str(query.selector))
         for number in (2, 1, 3):
-            query.reply(key, HEADER + bytes([number]), attachment=zenoh_attachment.pack(number, GID))
-        query.reply(key, HEADER + b"other", attachment=zenoh_attachment.pack(1, bytes(16)))
+            query.reply(key, HEADER + bytes([number]), attachment=pack_attachment(number, GID))
+        query.reply(key, HEADER + b"other", attachment=pack_attachment(1, bytes(16)))
         query.reply(key, HEADER + b"bad", attachment=b"")
-        plain.put(key, HEADER + b"\4", attachment=zenoh_attachment.pack(4, GID))
+        plain.put(key, HEADER + b"\4", attachment=pack_attachment(4, GID))
         query.drop()
 
     pattern = f"{key}/@adv/pub/{plain.zid()}/7/_"
@@ -830,7 +829,7 @@ def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
     wait_until(lambda: probe.matching_status.matching)
     end = time.monotonic() + 30
     while not asked and time.monotonic() < end:
-        plain.put(key, HEADER + b"\3", attachment=zenoh_attachment.pack(3, GID))
+        plain.put(key, HEADER + b"\3", attachment=pack_attachment(3, GID))
         wait_until(lambda: asked or time.monotonic() > end)
     numbers: list[int] = []
 
@@ -841,7 +840,7 @@ def test_what_a_writer_wrote_before_it_knew_of_the_reader_is_asked_for(
         return numbers
 
     wait_until(lambda: len(take_from_the_writer()) >= 4)
-    plain.put(key, HEADER + b"\5", attachment=zenoh_attachment.pack(5, GID))
+    plain.put(key, HEADER + b"\5", attachment=pack_attachment(5, GID))
     wait_until(lambda: len(take_from_the_writer()) >= 5)
     assert numbers == [1, 2, 3, 4, 5]
     assert any("_max=5" in selector for selector in asked)
@@ -855,7 +854,7 @@ def test_no_more_than_the_queue_takes_is_held_of_a_fast_writer(
     monkeypatch.setattr(reader, "_catch_up", lambda _: None)  # the earlier samples take long
 
     def arrive(number: int) -> None:
-        attachment = zenoh.ZBytes(zenoh_attachment.pack(number, GID))
+        attachment = zenoh.ZBytes(pack_attachment(number, GID))
         payload = zenoh.ZBytes(HEADER + struct.pack("<I", number))
         reader._on_sample(argparse.Namespace(attachment=attachment, payload=payload))
 
@@ -1011,7 +1010,7 @@ def test_samples_bear_the_numbers_of_their_writer_and_of_their_arrival(
         writer.write(HEADER + b"x")
     key = key_of(TOPIC, domain_id)
     taken = take_all(reader, 2)
-    wait_until(lambda: plain.put(key, HEADER, attachment=zenoh_attachment.pack(7, GID)) or reader._waiting)
+    wait_until(lambda: plain.put(key, HEADER, attachment=pack_attachment(7, GID)) or reader._waiting)
     taken += take_all(reader, 1)[:1]
     numbers = [(sample.publication_sequence_number, sample.reception_sequence_number) for sample in taken]
     assert numbers == [(1, 0), (2, 1), (7, 2)]
@@ -1146,7 +1145,7 @@ def test_lost_samples_are_counted_by_the_gaps_of_each_writer(
     key = key_of(TOPIC, domain_id)
 
     def put(number: int, gid: bytes = GID) -> None:
-        plain.put(key, HEADER + b"x", attachment=zenoh_attachment.pack(number, gid))
+        plain.put(key, HEADER + b"x", attachment=pack_attachment(number, gid))
 
     wait_until(lambda: put(1) or reader.take())
     queue = ReadyQueue()
