@@ -10,7 +10,7 @@ from typing import Any
 import msgspec
 import pytest
 from tests.conftest import wait_until
-from tests.viewer.conftest import Page, running_node, spinning
+from tests.viewer.conftest import Page, running, running_node, spinning
 from tests.viewer.messages import header, marker, pose
 from tests.viewer.scenes import Scene
 
@@ -28,12 +28,14 @@ from tfloom.interfaces.visualization_msgs.msg import (
 from tfloom.interfaces.visualization_msgs.srv import GetInteractiveMarkers
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile, ReliabilityPolicy
+from tfloom.rmw.backends import open_participant
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.viewer import program
 from tfloom.viewer.displays.interactive_markers import InteractiveMarkersDisplay, handle_of
 from tfloom.viewer.interactive import markers_feed
 from tfloom.viewer.interactive.dragging import Outbox
 from tfloom.viewer.interactive.markers_feed import MarkersFeed
+from tfloom.viewer.live import live_viewer
 from tfloom.viewer.program import Viewer
 from tfloom_sensing.interactive_marker_server import InteractiveMarkerServer
 from tfloom_sensing.menu_handler import MenuHandler
@@ -424,6 +426,28 @@ def test_drag_ends_with_a_release_when_its_page_is_gone(
         wait_until(lambda: things.types()[-1] == Feedback.MOUSE_UP, what="its release")
     finally:
         second.end()
+
+
+def test_viewer_that_ends_lets_the_markers_go(
+    domain_id: int, things: Things, open_page: Callable[[Viewer], Page]
+) -> None:
+    things.insert(thing())
+    participant = open_participant(domain_id)
+    try:
+        with live_viewer(participant, topics=("/tf", "/tf_static"), history_s=30.0) as made:
+            with running(made):
+                hand = Hand(made, open_page(made))
+                try:
+                    hand.show()
+                    hand.grab(hand.gizmo())
+                    wait_until(lambda: things.types() == [Feedback.MOUSE_DOWN], what="the press")
+                except BaseException:
+                    hand.end()
+                    raise
+            wait_until(lambda: things.types()[-1] == Feedback.MOUSE_UP, what="the release")
+            hand.end()
+    finally:
+        participant.close()
 
 
 def test_page_that_was_lost_moves_nothing_until_it_grabs_again(
