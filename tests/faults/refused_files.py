@@ -78,7 +78,7 @@ def layout_of_a_page(folder: Path) -> None:
     told: list[object] = []
     viewer = SimpleNamespace(
         view=SimpleNamespace(layout=lambda _: None),
-        _server=SimpleNamespace(view_point=lambda _: None),
+        _scenes=SimpleNamespace(saved_view=lambda _: None),
         layout_path=path,
         pages=SimpleNamespace(answer=lambda _, said: told.append(said)),
     )

@@ -15,7 +15,15 @@ import yaml
 
 from tfloom.cli.view import read_config
 from tfloom.common import yaml as user_yaml
-from tfloom.viewer.layout.layout import DisplayLayout, Layout, LayoutError, PlotLayout, ViewPoint
+from tfloom.viewer.layout.layout import (
+    TOP_FOV_RAD,
+    DisplayLayout,
+    Layout,
+    LayoutError,
+    PlotLayout,
+    SavedView,
+    ViewPoint,
+)
 from tfloom.viewer.layout.layout_file import layout_text, read_layout
 from tfloom.viewer.layout.rviz_text import rviz_text
 
@@ -40,6 +48,13 @@ FULL = Layout(
     ),
     camera=ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0)),
     camera_frame="base_link",
+    camera_turns=True,
+    camera_kind="top",
+    views=(
+        SavedView("door", ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0))),
+        SavedView("driver", ViewPoint((0.0, 0.0, 0.0), (0.1, 0.0, 0.0)), "first_person", "base_link"),
+        SavedView("behind", ViewPoint((-2.0, 0.0, 1.0), (0.0, 0.0, 0.0)), "orbit", "base_link", turns=True),
+    ),
     start_offset_s=2.5,
 )
 
@@ -283,8 +298,9 @@ def test_camera_of_each_class_looks_as_in_rviz(write: Write) -> None:
     layout, unknown = read_layout(write(above, "above.rviz"))
     assert layout.camera is not None
     assert layout.camera.look_at == (4.0, 5.0, 0.0)
-    assert layout.camera.position == pytest.approx((4.0, 5.0, 3.9), abs=0.1)
-    assert "a view from above without perspective, which has it here" in unknown
+    # RViz's scale is in pixels for 1 m: of a window of 600 pixels it sees 6 m.
+    assert layout.camera.position == pytest.approx((4.0, 5.0, 3.0 / math.tan(TOP_FOV_RAD / 2.0)), abs=0.2)
+    assert (layout.camera_kind, len(unknown)) == ("top", 3)
     orbit, _ = read_layout(write(RVIZ, "orbit.rviz"))
     for kind in ("XYOrbit", "ThirdPersonFollower"):
         layout, unknown = read_layout(write(RVIZ.replace("/Orbit", f"/{kind}"), "other.rviz"))
@@ -309,15 +325,77 @@ def test_camera_of_each_class_looks_as_in_rviz(write: Write) -> None:
     assert "a view with the z axis downwards, which is upwards here" in unknown
 
 
-def test_camera_that_follows_a_frame_starts_there_and_that_is_said(write: Write) -> None:
+def test_camera_follows_its_target_frame(write: Write) -> None:
     following = RVIZ.replace("<Fixed Frame>", "base_link")
     layout, unknown = read_layout(write(following, "follow.rviz"))
-    assert (layout.camera_frame, layout.camera_turns) == ("base_link", False)
-    assert "a camera that follows base_link: it starts there, and stays where it is" in unknown
+    assert (layout.camera_frame, layout.camera_turns, len(unknown)) == ("base_link", False, 3)
     layout, _ = read_layout(write(following.replace("/Orbit", "/ThirdPersonFollower"), "third.rviz"))
     assert (layout.camera_frame, layout.camera_turns) == ("base_link", True)
     layout, unknown = read_layout(write(RVIZ.replace("<Fixed Frame>", "odom"), "fixed.rviz"))
     assert (layout.camera_frame, len(unknown)) == ("", 3)
+
+
+def test_first_person_at_the_origin_of_its_frame_is_in_it(write: Write) -> None:
+    text = RVIZ.replace("<Fixed Frame>", "base_link").replace("/Orbit", "/FPS")
+    layout, unknown = read_layout(write(text, "eye.rviz"))
+    assert (layout.camera_kind, layout.camera_frame) == ("first_person", "base_link")
+    assert "a first person's camera in base_link that turns with it here" in unknown
+    away = text.replace("Focal Point", "Position")
+    layout, unknown = read_layout(write(away, "away.rviz"))
+    assert (layout.camera_kind, layout.camera_frame, len(unknown)) == ("orbit", "base_link", 3)
+
+
+def test_cameras_and_saved_views_come_again_from_a_file_of_rviz(write: Write) -> None:
+    high = 50.0 / math.tan(TOP_FOV_RAD / 2.0)
+    east = ViewPoint((4.0 - 0.001 * high, 5.0, high), (4.0, 5.0, 0.0))
+    views = (
+        SavedView("door", ViewPoint((1.0, 2.0, 3.5), (0.0, 0.5, 0.0))),
+        SavedView("behind", ViewPoint((-2.0, 0.0, 1.0), (0.0, 0.0, 0.0)), "orbit", "base_link", turns=True),
+        SavedView("beside", ViewPoint((-2.0, 0.0, 1.0), (0.0, 0.0, 0.0)), "orbit", "base_link"),
+        SavedView("plan", east, "top"),
+        SavedView("plan of it", east, "top", "base_link"),
+    )
+    written = Layout("odom", camera=east, camera_kind="top", camera_frame="laser", views=views)
+    text, unknown = rviz_text(written)
+    assert unknown == []
+    read, unknown = read_layout(write(text, "views.rviz"))
+    assert unknown == []
+    assert (read.camera_kind, read.camera_frame) == ("top", "laser")
+    assert len(read.views) == len(views)
+    for before, after in zip(views, read.views, strict=True):
+        assert after._replace(camera=before.camera) == before
+        assert after.camera.position == pytest.approx(before.camera.position, abs=0.01)
+        assert after.camera.look_at == pytest.approx(before.camera.look_at, abs=0.01)
+    eye = SavedView("driver", ViewPoint((0.0, 0.0, 0.0), (0.1, 0.0, 0.0)), "first_person", "base_link")
+    text, unknown = rviz_text(
+        Layout("odom", views=(eye, SavedView("plan", east, "top", "laser", turns=True)))
+    )
+    assert unknown == [
+        "that the first person's camera driver turns with base_link",
+        "that the view plan turns with laser",
+    ]
+    read, _ = read_layout(write(text, "eye.rviz"))
+    assert read.views[0].kind == "first_person"
+    x, y, z = read.views[0].camera.look_at
+    assert (x > 0.0, y, z) == (True, pytest.approx(0.0), pytest.approx(0.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("views: [{position: [0, 0, 1], look_at: [0, 0, 0]}]", "name is missing"),
+        (
+            "views: [{name: a, kind: fish, position: [0, 0, 1], look_at: [0, 0, 0]}]",
+            "the kind of a camera is one of",
+        ),
+        ("camera: {kind: first_person, position: [0, 0, 1], look_at: [0, 0, 0]}", "needs a frame"),
+        ("views: [3]", "views has to be a list of mappings"),
+        ("views: [{name: a, look_at: [0, 0, 0]}]", "position"),
+    ],
+)
+def test_view_that_is_none(write: Write, text: str, said: str) -> None:
+    with pytest.raises(LayoutError, match=said):
+        read_layout(write(text, "view.yaml"))
 
 
 def test_manager_without_anything_is_an_empty_layout(write: Write) -> None:
@@ -607,7 +685,9 @@ def test_what_rviz_has_no_counterpart_for_is_named() -> None:
             DisplayLayout("/turtle1/pose", kind="Turtle"),
             DisplayLayout("/odom", settings=(("speed", False),), kind="Odometry"),
             DisplayLayout("/front/camera_info", kind="Camera"),
-        )
+        ),
+        camera_kind="orbit",
+        views=(),
     )
     text, missing = rviz_text(layout)
     assert missing == [

@@ -16,6 +16,7 @@ from tests.viewer.scenes import Scene
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.node import Node
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.program import Viewer
 
 ABOVE = {"position": (0.0, 0.0, 10.0), "wxyz": (0.0, 1.0, 0.0, 0.0), "look_at": (0.0, 0.0, 0.0)}
@@ -66,11 +67,11 @@ def test_each_page_has_its_own_names_and_a_scene_that_comes_anew_has_them_again(
     open_scene(second, position=(1.0, 1.0, 0.5), look_at=(1.0, 1.0, 0.0))
     first.wait_for(lambda: set(shown(viewer, first)) == set(SEEN))
     second.wait_for(lambda: set(shown(viewer, second)) == {"near"})
+    before = viewer._scenes._pages[first.name].client
     scene.abort()
-    scene = open_scene(first)
-    number = viewer._server._clients[first.name]
+    open_scene(first)
+    first.wait_for(lambda: viewer._scenes._pages[first.name].client is not before)
     first.wait_for(lambda: set(shown(viewer, first)) == set(SEEN))
-    assert viewer._scenes._pages[first.name].client.client_id == number
     first.send(op="names", on=False)
     first.wait_for(lambda: not shown(viewer, first) and not shown(viewer, second))
     first.send(op="names", on=True)
@@ -96,16 +97,159 @@ def test_double_click_sees_a_frame_from_the_side_from_which_the_page_looks(
 ) -> None:
     assert page.ask("error", op="look", at=[0.5, 0.5]) == "the scene has not told its camera yet"
     scene = open_scene(page)
-    page.wait_for(lambda: shown(viewer, page))
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
     page.send(op="look", at=[0.5, 0.5])
     scene.wait_for(lambda: scene.camera.get("position", (9.0, 9.0, 9.0))[2] < 3.0)
     assert scene.camera["position"][:2] == pytest.approx((0.0, 0.0), abs=1e-6)
     assert page.ask("error", op="look", at=[0.01, 0.01]) == "there is nothing at this place"
 
 
+def own_camera(page: Page) -> dict[str, Any]:
+    """Return what the page was told last of its camera."""
+    told = [answer["own_camera"] for answer in page.answers if "own_camera" in answer]
+    return told[-1] if told else {}
+
+
+def position(viewer: Viewer, page: Page) -> list[float]:
+    view_point = viewer._server.view_point(page.name)
+    return [] if view_point is None else [round(part, 4) + 0.0 for part in view_point.position]
+
+
+def test_camera_follows_a_frame_until_that_is_gone_and_again_when_it_is_there(
+    viewer: Viewer, page: Page, open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    open_scene(page, position=(1.0, -3.0, 2.0), look_at=(1.0, 1.0, 0.0))
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    page.send(op="camera", kind="orbit", frame="near", turns=False)
+    page.wait_for(
+        lambda: own_camera(page) == {"kind": "orbit", "frame": "near", "turns": False, "is_gone": False}
+    )
+    broadcaster.sendTransform([transform("near", 2.0, 1.0)])
+    page.wait_for(lambda: position(viewer, page) == [2.0, -3.0, 2.0])
+    page.send(op="fixed_frame", frame="nowhere")
+    page.wait_for(lambda: own_camera(page)["is_gone"])
+    assert position(viewer, page) == [2.0, -3.0, 2.0]
+    page.send(op="fixed_frame", frame="map")
+    page.wait_for(lambda: not own_camera(page)["is_gone"])
+    broadcaster.sendTransform([transform("near", 3.0, 1.0)])
+    page.wait_for(lambda: position(viewer, page) == [3.0, -3.0, 2.0])
+    page.send(op="camera", kind="orbit", frame="", turns=False)
+    page.wait_for(lambda: own_camera(page)["frame"] == "")
+    broadcaster.sendTransform([transform("near", 9.0, 1.0)])
+    page.wait_for(lambda: viewer.view.poses.positions[viewer.view.poses.index_of("near")][0] == 9.0)
+    assert position(viewer, page) == [3.0, -3.0, 2.0]
+
+
+def test_camera_is_its_users_while_it_is_held(
+    viewer: Viewer, page: Page, open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    scene = open_scene(page, position=(1.0, -3.0, 2.0), look_at=(1.0, 1.0, 0.0))
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    page.send(op="camera", kind="orbit", frame="near", turns=False)
+    page.wait_for(lambda: own_camera(page))
+    for x in (0.0, 5.0):
+        page.send(op="held", on=True)
+        page.wait_for(lambda: viewer._scenes._pages[page.name].is_held)
+        scene.tell_camera(position=(x, 6.0, 2.0), look_at=(1.0, 1.0, 0.0), wxyz=ABOVE["wxyz"])
+        page.wait_for(lambda at=x: position(viewer, page) == [at, 6.0, 2.0])
+        page.send(op="held", on=False)
+        page.wait_for(lambda: not viewer._scenes._pages[page.name].is_held)
+        assert position(viewer, page) == [x, 6.0, 2.0]
+    broadcaster.sendTransform([transform("near", 2.0, 1.0)])
+    page.wait_for(lambda: position(viewer, page) == [6.0, 6.0, 2.0])
+
+
+def test_page_that_closes_while_its_camera_is_held_leaves_nothing(
+    viewer: Viewer, open_page: Callable[[Viewer], Page], open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    page, other = open_page(viewer), open_page(viewer)
+    open_scene(page)
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    page.send(op="camera", kind="first_person", frame="near", turns=False)
+    page.send(op="held", on=True)
+    page.wait_for(lambda: viewer._scenes._pages[page.name].is_held)
+    page.socket.close()
+    wait_until(lambda: page.name not in viewer._scenes._pages, what="the end of the page")
+    open_scene(other)
+    other.wait_for(lambda: set(shown(viewer, other)) == set(SEEN))
+
+
+def test_saved_view_is_shown_on_any_page_and_forgotten_and_saved_again(
+    viewer: Viewer, open_page: Callable[[Viewer], Page], open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    first, second = open_page(viewer), open_page(viewer)
+    open_scene(first, position=(1.0, -3.0, 2.0), look_at=(1.0, 1.0, 0.0))
+    open_scene(second)
+    first.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    first.send(op="camera", kind="orbit", frame="near", turns=False)
+    first.wait_for(lambda: own_camera(first))
+    for _ in range(2):
+        first.send(op="save_view", name=" door ")
+        second.wait_for(lambda: second.state["views"] == ["door"])
+        assert viewer.view.views["door"].frame == "near"
+        second.send(op="show_view", name="door")
+        second.wait_for(lambda: own_camera(second).get("frame") == "near")
+        second.wait_for(lambda: position(viewer, second) == [1.0, -3.0, 2.0])
+        second.send(op="camera", kind="orbit", frame="", turns=False)
+        second.wait_for(lambda: own_camera(second)["frame"] == "")
+        second.send(op="forget_view", name="door")
+        second.wait_for(lambda: second.state["views"] == [])
+        assert second.ask("error", op="show_view", name="door") == "there is no view of this name"
+        assert second.ask("error", op="forget_view", name="door") == "there is no view of this name"
+    for number in range(100):
+        first.send(op="save_view", name=f"view {number}")
+    assert first.ask("error", op="save_view", name="one more") == "there are 100 views already"
+    first.send(op="save_view", name="view 3")
+    first.wait_for(lambda: len(first.state["views"]) == 100)
+
+
+def test_layout_has_the_camera_and_the_views_and_new_pages_look_so(
+    viewer: Viewer, open_page: Callable[[Viewer], Page], open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    first = open_page(viewer)
+    open_scene(first, position=(1.0, -3.0, 2.0), look_at=(1.0, 1.0, 0.0))
+    first.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    first.send(op="camera", kind="top", frame="near", turns=False)
+    first.wait_for(lambda: own_camera(first))
+    first.send(op="save_view", name="plan")
+    text = first.ask("layout", op="layout")
+    assert "kind: top" in text
+    assert first.ask("layout", op="layout", form="rviz").count("TopDownOrtho") == 2
+    layout = Layout(
+        camera=viewer.view.views["plan"].camera,
+        camera_kind="top",
+        camera_frame="near",
+        views=(viewer.view.views.pop("plan"),),
+    )
+    viewer.apply(layout)
+    second = open_page(viewer)
+    scene = open_scene(second)
+    second.wait_for(lambda: own_camera(second).get("kind") == "top")
+    scene.wait_for(lambda: scene.camera.get("position", (0.0, 0.0, 0.0))[2] > 40.0)
+    assert second.state["views"] == ["plan"]
+
+
 @pytest.mark.parametrize(
     ("command", "said"),
     [
+        (
+            {"op": "camera", "kind": "fish", "frame": "", "turns": False},
+            "the kind of a camera is one of orbit, top, first_person",
+        ),
+        (
+            {"op": "camera", "kind": "first_person", "frame": "", "turns": False},
+            "select the frame out of which the camera is to look",
+        ),
+        ({"op": "camera", "kind": "orbit", "frame": "none", "turns": False}, "there is no frame 'none'"),
+        ({"op": "camera", "kind": "orbit", "frame": ""}, "turns has to be true or false"),
+        (
+            {"op": "camera", "kind": "orbit", "frame": "", "turns": False},
+            "the scene has not told its camera yet",
+        ),
+        ({"op": "held", "on": 1}, "on has to be true or false"),
+        ({"op": "save_view", "name": "a"}, "the scene has not told its camera yet"),
+        ({"op": "save_view", "name": "  "}, "the name of a view has from 1 to 64 characters"),
+        ({"op": "show_view", "name": "a"}, "there is no view of this name"),
         ({"op": "look"}, "at has to be two numbers"),
         ({"op": "look", "at": [1.0]}, "at has to be two numbers"),
         ({"op": "look", "at": ["a", 1.0]}, "at has to be a finite number"),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,13 +12,15 @@ import pytest
 from tests.viewer.messages import header, marker, pose
 from tests.viewer.test_browser import Tab, browser, wait_until
 
-from tfloom.interfaces.geometry_msgs.msg import TransformStamped
+from tfloom.interfaces.geometry_msgs.msg import TransformStamped, Vector3
 from tfloom.interfaces.std_msgs.msg import ColorRGBA
-from tfloom.interfaces.visualization_msgs.msg import Marker
+from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.viewer.camera import projected
+from tfloom.viewer.layout.layout_file import read_layout
 from tfloom.viewer.picking import frame_at
 from tfloom.viewer.program import Viewer
 
@@ -144,7 +148,7 @@ def move_to(tab: Tab, across: float, down: float) -> tuple[float, float]:
 def red(tab: Tab) -> np.ndarray:
     """Return the rows and the columns of red pixels."""
     pixels = tab.pixels()
-    return np.argwhere((pixels[:, :, 0] > 120) & (pixels[:, :, 1] < 90) & (pixels[:, :, 2] < 90))
+    return np.argwhere((pixels[:, :, 0] > 120) & (pixels[:, :, 0] > 1.6 * pixels[:, :, 1:].max(axis=2)))
 
 
 def at_red(tab: Tab) -> tuple[float, float]:
@@ -188,3 +192,153 @@ def looks_at(viewer: Viewer) -> list[float]:
     view_point = viewer._server.view_point(page)
     assert view_point is not None
     return list(view_point.look_at)
+
+
+class Car:
+    """A frame `base` with a red cube, which a test moves, beside a green one that stands at the origin of the map."""
+
+    def __init__(self, node: Node) -> None:
+        self._node = node
+        self._broadcaster = TransformBroadcaster(node)
+        self._cubes = node.create_publisher(
+            MarkerArray, "/cubes", QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        )
+        size = Vector3(x=1.0, y=1.0, z=1.0)
+        car = marker(Marker.CUBE, 1, color=ColorRGBA(r=1.0, a=1.0), scale=size, frame_locked=True)
+        car.header.frame_id, car.header.stamp.sec = "base", 0
+        still = marker(Marker.CUBE, 2, color=ColorRGBA(g=1.0, a=1.0), scale=size)
+        self._cubes.publish(MarkerArray(markers=[car, still]))
+
+    def move(self, x: float, y: float, yaw_rad: float = 0.0) -> None:
+        made = transform("base", x, y)
+        made.transform.rotation.z, made.transform.rotation.w = (
+            math.sin(yaw_rad / 2.0),
+            math.cos(yaw_rad / 2.0),
+        )
+        made.header.stamp = self._node.get_clock().now().to_msg()
+        self._broadcaster.sendTransform(made)
+
+    def show(self, tab: Tab) -> None:
+        """Show the cubes on a page."""
+        wait_until(lambda: self.move(0.0, 4.0) or "/cubes" in tab.text("#display-rows"), what="the topic")
+        tab.page.evaluate("send({ op: 'display', topic: '/cubes', on: true })")
+        tab.page.evaluate("send({ op: 'names', on: false })")
+        tab.page.evaluate("frame => send({ op: 'select', frame })", "base")
+        wait_until(
+            lambda: self.move(0.0, 4.0) or (len(red(tab)) > 20 and len(green(tab)) > 20), what="the cubes"
+        )
+        wait_until(lambda: not tab.page.evaluate("document.querySelector('#selection').hidden"), what="base")
+
+
+def green(tab: Tab) -> np.ndarray:
+    pixels = tab.pixels()
+    return np.argwhere((pixels[:, :, 1] > 120) & (pixels[:, :, 1] > 1.15 * pixels[:, :, [0, 2]].max(axis=2)))
+
+
+def moved_px(tab: Tab, before: tuple[float, float]) -> float:
+    height, width = tab.pixels().shape[:2]
+    across, down = at_red(tab)
+    return math.hypot((across - before[0]) * width, (down - before[1]) * height)
+
+
+def test_camera_follows_a_frame_by_a_key_and_stays_when_that_is_gone(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab]
+) -> None:
+    car, tab = Car(node), open_tab("&camera=-10,-8,9&look_at=0,2,0")
+    car.show(tab)
+    still = np.median(green(tab), axis=0)
+    tab.page.keyboard.press("l")
+    wait_until(lambda: tab.text("#camera-state") == "the camera follows base", what="the camera")
+    before = at_red(tab)
+    wait_until(
+        lambda: car.move(3.0, 6.0) or (looks_at(viewer)[0] > 2.9 and len(green(tab)) > 5), what="the way"
+    )
+    wait_until(lambda: moved_px(tab, before) < 12.0, what="the car where it was")
+    assert np.abs(np.median(green(tab), axis=0) - still).max() > 10.0
+    tab.keep("camera_follows")
+    tab.page.evaluate("send({ op: 'fixed_frame', frame: 'elsewhere' })")
+    gone = "base is gone: the camera stays where it is"
+    wait_until(lambda: tab.text("#camera-state") == gone == tab.text("#message"), what="that it is gone")
+    tab.page.evaluate("send({ op: 'fixed_frame', frame: 'map' })")
+    wait_until(lambda: tab.text("#camera-state") == "the camera follows base", what="that it is back")
+    tab.page.keyboard.press("l")
+    wait_until(lambda: scene_of(viewer).following.turns, what="its yaw")
+    wait_until(lambda: moved_px(tab, before) < 12.0, what="the car where it was")
+    start = viewer._server.view_point(viewer._server.pages()[0])
+    wait_until(lambda: car.move(3.0, 6.0, 1.5) or is_turned(viewer, start, 1.5), what="the turn")
+    wait_until(lambda: moved_px(tab, before) < 12.0, what="the car where it was, turned with it")
+
+
+def is_turned(viewer: Viewer, start: Any, angle_rad: float) -> bool:
+    now = viewer._server.view_point(viewer._server.pages()[0])
+    assert now is not None
+    first, second = (
+        math.atan2(view.look_at[1] - view.position[1], view.look_at[0] - view.position[0])
+        for view in (start, now)
+    )
+    return abs(math.remainder(second - first - angle_rad, 2.0 * math.pi)) < 0.05
+
+
+def test_camera_from_above_has_no_perspective_and_that_of_a_first_person_is_in_its_frame(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab]
+) -> None:
+    car, tab = Car(node), open_tab("&camera=-1,-9,9&look_at=0,2,0")
+    car.show(tab)
+    tab.page.keyboard.press("t")
+
+    def is_above() -> bool:
+        """Whether both cubes are squares of one size, which only a view straight from above shows."""
+        cubes = [red(tab), green(tab)]
+        if min(map(len, cubes)) < 100:
+            return False
+        sides = [float(side) for cube in cubes for side in np.ptp(cube, axis=0)]
+        return max(sides) - min(sides) <= 3.0
+
+    wait_until(is_above, what="squares of one size")
+    tab.keep("camera_from_above")
+    tab.page.keyboard.press("i")
+    wait_until(lambda: tab.text("#camera-state") == "the camera is in base", what="the camera in base")
+    # Before the car is nothing; when it turns to the other cube, that is in the middle of the picture.
+    wait_until(lambda: car.move(0.0, 4.0, -math.pi / 2.0) or len(green(tab)) > 500, what="the other cube")
+    across = np.median(green(tab), axis=0)[1] / tab.pixels().shape[1]
+    assert across == pytest.approx(0.5, abs=0.05)
+    tab.keep("camera_of_a_first_person")
+    tab.page.keyboard.press("o")
+    wait_until(lambda: scene_of(viewer).following.is_free, what="an orbit")
+
+
+def test_saved_view_is_shown_again_and_is_in_the_layout(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab], tmp_path: Path
+) -> None:
+    car, tab = Car(node), open_tab("&camera=-4,-6,6&look_at=0,2,0")
+    car.show(tab)
+    first, before = viewer._server.view_point(viewer._server.pages()[0]), at_red(tab)
+    assert first is not None
+    tab.page.keyboard.press("b")
+    tab.page.fill("#view-name", "door")
+    tab.click("#view-save")
+    wait_until(lambda: "door" in tab.text("#view-rows"), what="the view")
+    tab.keep("saved_view")
+    tab.page.evaluate("document.activeElement.blur()")
+    tab.page.keyboard.press("Escape")
+    tab.page.keyboard.press("t")
+    wait_until(lambda: np.abs(np.subtract(at_red(tab), before)).max() > 0.05, what="another view")
+    viewer.layout_path = tmp_path / "view.yaml"
+    tab.click("#save-layout")
+    wait_until(viewer.layout_path.exists, what="the file")
+    layout, unknown = read_layout(viewer.layout_path)
+    assert (unknown, layout.camera_kind, [view.name for view in layout.views]) == ([], "top", ["door"])
+    viewer.view.views.clear()
+    wait_until(lambda: tab.page.evaluate("state.views.length") == 0, what="no views")
+    viewer.apply(layout)
+    wait_until(lambda: tab.page.evaluate("state.views.length") == 1, what="those of the layout")
+    tab.page.keyboard.press("b")
+    wait_until(lambda: "door" in tab.text("#view-rows"), what="the view of the layout")
+    tab.page.evaluate("document.querySelector('#view-rows .view span').click()")
+    tab.page.keyboard.press("b")
+    wait_until(
+        lambda: len(red(tab)) and np.abs(np.subtract(at_red(tab), before)).max() < 0.03, what="the first view"
+    )
+    again = viewer._server.view_point(viewer._server.pages()[0])
+    assert again is not None
+    assert (*again.position, *again.look_at) == pytest.approx((*first.position, *first.look_at), abs=0.01)

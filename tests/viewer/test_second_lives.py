@@ -569,13 +569,12 @@ def test_page_that_was_closed_leaves_nothing_and_the_next_one_gets_all(
 ) -> None:
     first = open_page(viewer)
     first.send(op="plot_fields", topic="/nothing")
-    viewer._queue_command(first.name, {"op": "place"})
-    wait_until(lambda: first.name in viewer._unplaced, what="the page without a place")
+    wait_until(lambda: first.name in viewer._scenes._pages, what="the page's own scene")
     viewer._asked_fields[first.name] = "/nothing"
     viewer._server._clients[first.name] = 77
     first.socket.close()
     wait_until(lambda: not viewer._is_open, what="the page's end")
-    wait_until(lambda: first.name not in viewer._unplaced, what="the end of its wait")
+    wait_until(lambda: first.name not in viewer._scenes._pages, what="the end of its own scene")
     assert first.name not in viewer._asked_fields
     assert first.name not in viewer._server._clients
     assert viewer._server.camera(first.name) is None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -10,28 +11,42 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tfloom.viewer.camera import Camera, projected
+from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.extents import Extent, extent_of, view_of
 from tfloom.viewer.labels import Chosen, chosen_labels, width_em
-from tfloom.viewer.page_command import PageError, fault_text, number
+from tfloom.viewer.layout.layout import CAMERA_KINDS, SavedView, ViewPoint
+from tfloom.viewer.page_camera import (
+    Following,
+    eye,
+    place_of,
+    relative,
+    rescaled,
+    set_lens,
+    stepped_back,
+    view_in,
+)
+from tfloom.viewer.page_command import PageError, fault_text, flag, number, text
 from tfloom.viewer.picking import Met, frame_at, nearest_shape
+from tfloom.viewer.shared_state import MAX_VIEWS, SharedView
 
 if TYPE_CHECKING:
     from viser import ClientHandle
 
-    from tfloom.viewer.layout.layout import ViewPoint
+    from tfloom.viewer.layout.layout import Layout
     from tfloom.viewer.scene import NamedFrames, Scene
     from tfloom.viewer.scene_server import SceneServer
-    from tfloom.viewer.shared_state import SharedView
 
 __all__ = ["SCENE_COMMANDS", "PageScenes"]
 
-SCENE_COMMANDS = frozenset(("pointer", "look"))
+SCENE_COMMANDS = frozenset(("pointer", "look", "held", "camera", "save_view", "show_view", "forget_view"))
 """What a page asks of its own scene."""
 LABELS_S = 0.15
 """Period at which it is chosen anew which names are shown [s]."""
 USUAL_PX = (800.0, 480.0)
 """Size of the picture of a page that has not told it [pixels]."""
 MAX_PX = 100_000.0
+MAX_NAME = 64
+"""Length of a view's name."""
 FRAME_AXES = 2.0
 """How far a frame reaches to which a camera is fitted, by the length of its axes."""
 BEHIND_AXES = 3.0
@@ -58,6 +73,13 @@ class _PageScene:
         """By frame: the text and the size of its label as they are to be."""
         self.asked: Any = None
         """What the choice was made of."""
+        self.following = Following()
+        self.standing: ViewPoint | None = None
+        """Where the camera stands in the place that it follows; None: where it is when it begins."""
+        self.is_held = False
+        """Whether the page's user moves the camera."""
+        self.told: dict[str, Any] = {}
+        """What the page knows of its camera."""
         self.pointer: _Spot | None = None
         self.size_px = USUAL_PX
 
@@ -69,15 +91,22 @@ class PageScenes:
         server: The server of the scene.
         view: What all pages share.
         scene: The scene that they share.
+        answer: Called with a page and an answer for it.
         report: Called with a sentence about what of a page can't be shown, which doesn't end the others.
     """
 
     def __init__(
-        self, server: SceneServer, view: SharedView, scene: Scene, report: Callable[[str], None]
+        self,
+        server: SceneServer,
+        view: SharedView,
+        scene: Scene,
+        answer: Callable[[str, dict[str, Any]], None],
+        report: Callable[[str], None],
     ) -> None:
         self._server = server
         self._view = view
         self._scene = scene
+        self._answer = answer
         self._report = report
         self._pages: dict[str, _PageScene] = {}
         self._next_labels_s = 0.0
@@ -88,17 +117,53 @@ class PageScenes:
         Raises:
             PageError: it can't be done.
         """
-        if operation == "pointer":
-            self._point(page, command)
-        else:
-            self._look(page, _spot(command))
+        do: dict[str, Callable[[str, Mapping[str, Any]], None]] = {
+            "pointer": self._point,
+            "look": self._look,
+            "held": self._hold,
+            "camera": self._set_camera,
+            "save_view": self._save_view,
+            "show_view": self._show_view,
+            "forget_view": self._forget_view,
+        }
+        do[operation](page, command)
+
+    def open(self, page: str, layout: Layout) -> None:
+        """Let a new page look as a layout says."""
+        own = self._pages.setdefault(page, _PageScene())
+        if layout.camera is not None:
+            own.following = Following(layout.camera_kind, layout.camera_frame, layout.camera_turns)
+            own.standing = layout.camera
+
+    def look(self, page: str, view_point: ViewPoint) -> bool:
+        """Let a page look from a point to another one, as its camera can; return whether it was there to be told."""
+        own = self._pages.setdefault(page, _PageScene())
+        camera = self._server.camera(page)
+        if camera is not None and not own.following.is_free:
+            if own.following.kind == "first_person":  # which is where its frame is
+                own.following = Following()
+            place = place_of(own.following, self._view.poses)
+            if place is not None:
+                own.standing = relative(own.following, place, view_point, camera)
+                view_point = view_in(place, own.standing)
+        return self._server.look(page, view_point)
+
+    def saved_view(self, page: str, name: str = "") -> SavedView | None:
+        """Return how a page looks now; None until it has told its camera."""
+        own = self._pages.get(page) or _PageScene()
+        now = self._server.view_point(page)
+        camera = now if own.following.is_free else own.standing or now
+        return None if camera is None else SavedView(name, camera, *own.following)
 
     def forget(self, page: str) -> None:
         """Forget a page that was closed."""
         self._pages.pop(page, None)
 
     def draw(self) -> None:
-        """Choose anew, where it is due, which names each page shows, and show them."""
+        """Move the cameras that follow; choose anew, where it is due, which names each page shows."""
+        for page, own in self._pages.items():
+            if not own.following.is_free or own.told.get("is_gone"):
+                self._try("a camera can't be moved", partial(self._move_camera, page, own))
         now_s = time.monotonic()
         if now_s < self._next_labels_s:
             return
@@ -108,17 +173,96 @@ class PageScenes:
             own = self._pages.setdefault(page, _PageScene())
             if own.client is not client:  # a scene that was loaded anew has none of them
                 own.client, own.labels, own.chosen, own.asked = client, {}, {}, None
-            self._try(partial(self._choose, page, own))
+            self._try("names of frames can't be shown", partial(self._choose, page, own))
         of_pages = [self._pages[page] for page in shown]
         places = self._scene.places({name for own in of_pages for name in own.chosen})
         for own in of_pages:
-            self._try(partial(_show_labels, own, places))
+            self._try("names of frames can't be shown", partial(_show_labels, own, places))
 
-    def _try(self, do: Callable[[], None]) -> None:
+    def _move_camera(self, page: str, own: _PageScene) -> None:
+        """Let a camera stand where its place is now. While its user moves it, it stays, and then goes on from there."""
+        place = place_of(own.following, self._view.poses)
+        self._tell(page, own, is_gone=place is None)
+        client, now = self._server.client(page), self._server.view_point(page)
+        camera = self._server.camera(page)
+        if place is None or client is None or now is None or camera is None:
+            return
+        if own.standing is None or own.is_held:
+            own.standing = relative(own.following, place, now, camera)
+        if not own.is_held:
+            set_lens(client, own.following.kind, math.dist(*own.standing))
+            self._server.look(page, view_in(place, own.standing))
+
+    def _tell(self, page: str, own: _PageScene, *, is_gone: bool = False) -> None:
+        """Tell a page how its camera moves, when that has changed."""
+        told = {**own.following._asdict(), "is_gone": is_gone}
+        if told != own.told:
+            own.told = told
+            self._answer(page, {"own_camera": {**told, "frame": shown_text(own.following.frame)}})
+
+    def _hold(self, page: str, command: Mapping[str, Any]) -> None:
+        own, is_held = self._pages.setdefault(page, _PageScene()), flag(command, "on")
+        if own.is_held and not is_held:
+            self._move_camera(page, own)  # where it was left, also where no picture was drawn meanwhile
+        own.is_held = is_held
+
+    def _set_camera(self, page: str, command: Mapping[str, Any]) -> None:
+        kind, frame = text(command, "kind"), text(command, "frame")
+        following = Following(kind, frame, turns=flag(command, "turns") and bool(frame))
+        if following.kind not in CAMERA_KINDS:
+            raise PageError(f"the kind of a camera is one of {', '.join(CAMERA_KINDS)}")
+        if following.kind == "first_person" and not following.frame:
+            raise PageError("select the frame out of which the camera is to look")
+        if following.frame and not self._view.buffer.has_frame(following.frame):
+            raise PageError(f"there is no frame {following.frame!r}")
+        camera, now = self._camera(page)
+        before = self._pages.setdefault(page, _PageScene()).following
+        if before.kind == "first_person" and following.kind != "first_person":
+            now = stepped_back(now)
+        standing = eye() if following.kind == "first_person" else None
+        self._begin(page, following, standing, rescaled(now, camera.fov_rad, following.kind))
+
+    def _begin(self, page: str, following: Following, standing: ViewPoint | None, now: ViewPoint) -> None:
+        """Let a camera move in another way, from where it stands in its place; None: from where it is now."""
+        own = self._pages.setdefault(page, _PageScene())
+        camera, client = self._server.camera(page), self._server.client(page)
+        if camera is None or client is None:
+            raise PageError("the scene has not told its camera yet")
+        place = place_of(following, self._view.poses)
+        if standing is None and place is not None:
+            standing = relative(following, place, now, camera)
+        own.following, own.standing, own.is_held = following, standing, False
+        set_lens(client, following.kind, math.dist(*now))
+        if place is not None and standing is not None:
+            self._server.look(page, view_in(place, standing))
+        self._tell(page, own, is_gone=place is None)
+
+    def _save_view(self, page: str, command: Mapping[str, Any]) -> None:
+        name = text(command, "name").strip()
+        view = self.saved_view(page, name)
+        if not name or len(name) > MAX_NAME:
+            raise PageError(f"the name of a view has from 1 to {MAX_NAME} characters")
+        if view is None:
+            raise PageError("the scene has not told its camera yet")
+        if name not in self._view.views and len(self._view.views) >= MAX_VIEWS:
+            raise PageError(f"there are {MAX_VIEWS} views already")
+        self._view.views[name] = view
+
+    def _show_view(self, page: str, command: Mapping[str, Any]) -> None:
+        view = self._view.views.get(text(command, "name"))
+        if view is None:
+            raise PageError("there is no view of this name")
+        self._begin(page, Following(view.kind, view.frame, view.turns), view.camera, view.camera)
+
+    def _forget_view(self, _: str, command: Mapping[str, Any]) -> None:
+        if self._view.views.pop(text(command, "name"), None) is None:
+            raise PageError("there is no view of this name")
+
+    def _try(self, failure: str, do: Callable[[], None]) -> None:
         try:
             do()
-        except Exception as error:  # of one page: the others have their names
-            self._report(f"names of frames can't be shown: {fault_text(error)}")
+        except Exception as error:  # of one page: the others have theirs
+            self._report(f"{failure}: {fault_text(error)}")
 
     def _choose(self, page: str, own: _PageScene) -> None:
         camera, view_point = self._server.camera(page), self._server.view_point(page)
@@ -139,15 +283,16 @@ class PageScenes:
         own = self._pages.setdefault(page, _PageScene())
         own.pointer, own.size_px = spot, (width_px, height_px)
 
-    def _look(self, page: str, spot: _Spot) -> None:
+    def _look(self, page: str, command: Mapping[str, Any]) -> None:
         """Let a page see the whole of what is at a place of its picture, from the side from which it looks."""
+        spot = _spot(command)
         camera, view_point = self._camera(page)
         met = self._met(page, camera, spot)
         if met is None:
             raise PageError("there is nothing at this place")
         toward = [there - here for there, here in zip(view_point.position, view_point.look_at, strict=True)]
         fitted = view_of(self._extent_of(met), camera.fov_rad, camera.aspect, toward)
-        if not self._server.look(page, fitted):
+        if not self.look(page, fitted):
             raise PageError("the scene is gone")
 
     def _camera(self, page: str) -> tuple[Camera, ViewPoint]:

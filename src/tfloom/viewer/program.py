@@ -152,7 +152,6 @@ class Viewer:
             fixed_frame=fixed_frame,
             report=self._note_once,
         )
-        self._scenes = PageScenes(self._server, self.view, scene, self._note_once)
         self._heard_s: dict[str, float] = {}
         """When pages that may hold an interactive marker said last that they are there, on the monotonic clock [s]."""
         if live is not None:
@@ -162,6 +161,7 @@ class Viewer:
         if joints is not None:
             self.view.about = joints.about
         self.pages = PageServer(self._server, self._queue_command, self._image_of)
+        self._scenes = PageScenes(self._server, self.view, scene, self.pages.answer, self._note_once)
         self._image_lock = threading.Lock()
         self._images: dict[str, tuple[Any, tuple[str, bytes] | None]] = {}
         """The last picture of each topic, with what it was made of."""
@@ -177,8 +177,6 @@ class Viewer:
         """Whether `interrupt` may end what is done."""
         self._layout = Layout()
         """What is shown from the start."""
-        self._unplaced: set[str] = set()
-        """Pages whose camera is to stand at a frame that is not known yet."""
         self._unfitted: dict[str, _Fitting] = {}
         """New pages whose camera is to see all there is."""
         self._settling: dict[str, _Fitting] = {}
@@ -255,7 +253,6 @@ class Viewer:
             self._try("images can't be shown", self._note_images)
             if now_s >= next_state_s:
                 next_state_s = now_s + STATE_S
-                self._try("cameras can't be placed", self._place_cameras)
                 self._try("cameras can't see all that is shown", self._fit_new_pages)
                 asked, self._asked_fields = self._asked_fields, {}
                 for page, topic in asked.items():
@@ -342,7 +339,7 @@ class Viewer:
 
     def _run_command(self, page: str, command: Mapping[str, Any]) -> None:
         operation = text(command, "op")
-        if operation in {"opened", "place", "fit_start", "closed"}:
+        if operation in {"opened", "fit_start", "closed"}:
             self._follow_page(page, operation)
         elif operation == "layout":
             self._save_layout(page, for_rviz=command.get("form") == "rviz")
@@ -384,13 +381,12 @@ class Viewer:
 
     def _follow_page(self, page: str, operation: str) -> None:
         """Note what a page is to be given as soon as it is known, or that the page was closed."""
-        if operation == "place":
-            self._unplaced.add(page)
+        if operation == "opened":
+            self._scenes.open(page, self._layout)
         elif operation == "fit_start":
             self._unfitted.setdefault(page, _Fitting())
         elif operation == "closed":
             self._asked_fields.pop(page, None)
-            self._unplaced.discard(page)
             self._unfitted.pop(page, None)
             self._settling.pop(page, None)
             self._scenes.forget(page)
@@ -427,15 +423,7 @@ class Viewer:
 
     def _view_point(self, page: str) -> ViewPoint | None:
         """Return from where a new page looks; None: from where the page itself says. On a thread of the server."""
-        placed = self.view.placed(self._layout)
-        if placed is None and self._layout.camera is not None:
-            self._queue_command(page, {"op": "place"})
-        return placed or self._layout.camera
-
-    def _place_cameras(self) -> None:
-        """Let pages look from their frame, as soon as it is known."""
-        if self._unplaced and (placed := self.view.placed(self._layout)) is not None:
-            self._unplaced -= {page for page in self._unplaced if self._server.look(page, placed)}
+        return self.view.placed(self._layout) or self._layout.camera
 
     def _fit_new_pages(self) -> None:
         """Let new pages see all that comes at their start, until their user has moved the camera."""
@@ -478,7 +466,7 @@ class Viewer:
             PageError: nothing is shown, or the page has no camera yet.
         """
         fitted = self._fitted(page)
-        if fitted is None or not self._server.look(page, fitted):
+        if fitted is None or not self._scenes.look(page, fitted):
             raise PageError("nothing is shown yet")
 
     def _fitted(self, page: str) -> ViewPoint | None:
@@ -491,7 +479,14 @@ class Viewer:
 
     def _save_layout(self, page: str, *, for_rviz: bool) -> None:
         """Give a page its layout as a file, ours or RViz's, or write it where the program was told to."""
-        layout, path = self.view.layout(self._server.view_point(page)), self.layout_path
+        layout, path = self.view.layout(None), self.layout_path
+        if (shown := self._scenes.saved_view(page)) is not None:
+            layout = layout._replace(
+                camera=shown.camera,
+                camera_kind=shown.kind,
+                camera_frame=shown.frame,
+                camera_turns=shown.turns,
+            )
         is_rviz = for_rviz if path is None else path.suffix == ".rviz"
         content, unknown = rviz_text(layout) if is_rviz else (layout_text(layout), [])
         without = f", without what RViz has no counterpart for: {'; '.join(unknown)}" if unknown else ""

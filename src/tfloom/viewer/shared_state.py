@@ -37,7 +37,7 @@ from tfloom.viewer.frames import (
     span_of,
     trail_of,
 )
-from tfloom.viewer.layout.layout import DEFAULT_AXES_M, MAX_PLOT, DisplayLayout, Layout, ViewPoint
+from tfloom.viewer.layout.layout import DEFAULT_AXES_M, MAX_PLOT, DisplayLayout, Layout, SavedView, ViewPoint
 from tfloom.viewer.obstacles import MAX_STATUS
 from tfloom.viewer.page_command import (
     MAX_TEXTS,
@@ -71,7 +71,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.topic_log import Cursor, Entry
     from tfloom.viewer.topics import Topics
 
-__all__ = ["MAX_TRAILS", "SharedView"]
+__all__ = ["MAX_TRAILS", "MAX_VIEWS", "SharedView"]
 
 LOOK_S = 0.5
 """Period at which rates, ages and publishers are observed [s]."""
@@ -82,6 +82,8 @@ TRAIL_S = 0.2
 MAX_TRAILS = 20
 """Number of trails; of a layout with more, the first ones are shown."""
 MAX_DISPLAYS = 100
+MAX_VIEWS = 100
+"""Number of saved views; of a layout with more, the first ones are kept."""
 MAX_ROWS = 1000
 """Number of rows of the tree that a page gets."""
 MAX_FINDINGS = 100
@@ -157,6 +159,8 @@ class SharedView:
         self._refusals: dict[str, tuple[str, str]] = {}
         """The topic, and why it could not be shown when that was asked for, by the display's name."""
         self.plots = Plots(topics, history_ns if is_live else None)
+        self.views: dict[str, SavedView] = {}
+        """The saved views by their names."""
         self._with_names = True
         self._axes_m = DEFAULT_AXES_M
         self._frame_settings: dict[str, Any] = usual_values(FRAME_SETTINGS)
@@ -460,6 +464,7 @@ class SharedView:
         self._with_names = layout.with_names
         self._axes_m = layout.axes_m
         self._trails = list(dict.fromkeys(map(_sendable, layout.trails[:MAX_TRAILS])))
+        self.views |= {view.name: view for view in layout.views[:MAX_VIEWS]}
         self._start_offset_s = layout.start_offset_s
         if layout.start_offset_s is not None and not self._is_live:
             try:
@@ -511,6 +516,7 @@ class SharedView:
             displays=tuple(displays),
             plots=self.plots.layout(),
             camera=camera,
+            views=tuple(self.views.values()),
             start_offset_s=self._start_offset_s,
         )
 
@@ -771,6 +777,7 @@ class SharedView:
             "frames": sorted(map(_sendable, self._parents))[:MAX_ROWS],
             "rows": self._listed("frames", lambda: map(self._row, self._rows[:MAX_ROWS])),
             "with_names": self._with_names,
+            "views": list(map(_sendable, self.views)),
             "axes_m": self._axes_m,
             "frame_settings": self._frame_settings,
             "trails": list(map(_sendable, self._trails)),

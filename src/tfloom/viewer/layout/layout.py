@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
@@ -9,13 +10,16 @@ if TYPE_CHECKING:
 
 __all__ = [
     "AXES",
+    "CAMERA_KINDS",
     "DEFAULT_AXES_M",
     "MAX_PLOT",
+    "TOP_FOV_RAD",
     "DisplayLayout",
     "Layout",
     "LayoutError",
     "PlotLayout",
     "Point",
+    "SavedView",
     "ViewPoint",
 ]
 
@@ -23,6 +27,10 @@ DEFAULT_AXES_M = 0.3
 """Length of a frame's axes [m]."""
 AXES = ("left", "right")
 """Sides of a plot at which an axis of values is."""
+CAMERA_KINDS = ("orbit", "top", "first_person")
+"""Cameras that turn about what they look at, look down from above without perspective, or look out of a frame."""
+TOP_FOV_RAD = math.radians(4.0)
+"""Of a view from above: viser has no camera without perspective, so this one is far away, with so small an angle."""
 MAX_PLOT = 999
 """Greatest number of a plot."""
 
@@ -38,6 +46,20 @@ class ViewPoint(NamedTuple):
 
     position: Point
     look_at: Point
+
+
+class SavedView(NamedTuple):
+    """A camera, as a page shows it again by its name."""
+
+    name: str
+    camera: ViewPoint
+    """Counted from the place of the frame."""
+    kind: str = "orbit"
+    """One of `CAMERA_KINDS`."""
+    frame: str = ""
+    """The frame that the camera follows; empty: the fixed frame."""
+    turns: bool = False
+    """Whether it turns with this frame about the vertical, too; one of a first person turns in any case."""
 
 
 class DisplayLayout(NamedTuple):
@@ -81,8 +103,11 @@ class Layout(NamedTuple):
     camera: ViewPoint | None = None
     """From where new pages look; None: from where they do by themselves."""
     camera_frame: str = ""
-    """The frame at whose place the camera stands when a page is opened; empty: the fixed frame."""
+    """The frame that the camera follows, from whose place `camera` counts; empty: the fixed frame."""
     camera_turns: bool = False
-    """Whether it stands as this frame is turned about the vertical, too."""
+    """Whether it turns with this frame about the vertical, too."""
+    camera_kind: str = "orbit"
+    """One of `CAMERA_KINDS`."""
+    views: tuple[SavedView, ...] = ()
     start_offset_s: float | None = None
     """How long after its first transform a recording begins [s]; None: where its frames connect."""

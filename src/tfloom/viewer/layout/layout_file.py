@@ -17,11 +17,13 @@ from tfloom.viewer.displays.settings import (
 )
 from tfloom.viewer.layout.layout import (
     AXES,
+    CAMERA_KINDS,
     DEFAULT_AXES_M,
     MAX_PLOT,
     DisplayLayout,
     Layout,
     PlotLayout,
+    SavedView,
     ViewPoint,
 )
 from tfloom.viewer.layout.placed_yaml import PlacedYaml
@@ -29,7 +31,11 @@ from tfloom.viewer.layout.rviz_file import RVIZ_SECTION, rviz_layout
 
 __all__ = ["layout_text", "read_layout"]
 
-KEYS = ("fixed_frame", "names", "axes", "frames", "trails", "displays", "plots", "camera", "start_offset")
+KEYS = (
+    *("fixed_frame", "names", "axes", "frames", "trails", "displays", "plots", "camera", "views"),
+    "start_offset",
+)
+CAMERA_KEYS = ("position", "look_at", "kind", "frame", "turns")
 DISPLAY_KEYS = frozenset(("topic", "choice", "settings", "kind"))
 
 
@@ -79,7 +85,13 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     frames, strange = _settings(file, file.mapping(root, "frames"), [FRAME_SETTINGS])
     unknown += [f"frames.{key}" for key in strange]
     camera = file.mapping(root, "camera")
-    unknown += [f"camera.{key}" for key in camera if key not in {"position", "look_at", "frame"}]
+    unknown += [f"camera.{key}" for key in camera if key not in CAMERA_KEYS]
+    views = []
+    for number, row in enumerate(file.items(root, "views")):
+        entry = _entry(file, root, row, "views")
+        unknown += [f"views[{number}].{key}" for key in entry if key not in {"name", *CAMERA_KEYS}]
+        views.append(_view(file, entry, _named(file, entry, "name")))
+    shown = _view(file, camera, "") if camera else None
     layout = Layout(
         fixed_frame=file.text(root, "fixed_frame"),
         with_names=file.flag(root, "names", default=True),
@@ -88,8 +100,11 @@ def _own_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
         trails=tuple(trails),
         displays=tuple(displays),
         plots=tuple(plots),
-        camera=ViewPoint(file.point(camera, "position"), file.point(camera, "look_at")) if camera else None,
-        camera_frame=file.text(camera, "frame"),
+        camera=None if shown is None else shown.camera,
+        camera_frame="" if shown is None else shown.frame,
+        camera_turns=shown is not None and shown.turns,
+        camera_kind="orbit" if shown is None else shown.kind,
+        views=tuple(views),
         start_offset_s=start_offset_s if "start_offset" in root else None,
     )
     return layout, unknown
@@ -121,6 +136,16 @@ def _settings(
         except SettingError as error:
             raise file.error(values, f"{name} {error}") from None
     return tuple(settings), unknown
+
+
+def _view(file: PlacedYaml, entry: dict[Any, Any], name: str) -> SavedView:
+    kind, frame = file.text(entry, "kind") or "orbit", file.text(entry, "frame")
+    if kind not in CAMERA_KINDS:
+        raise file.error(entry, f"the kind of a camera is one of {', '.join(CAMERA_KINDS)}")
+    if kind == "first_person" and not frame:
+        raise file.error(entry, "a camera of the kind first_person needs a frame")
+    camera = ViewPoint(file.point(entry, "position"), file.point(entry, "look_at"))
+    return SavedView(name, camera, kind, frame, file.flag(entry, "turns", default=False))
 
 
 def _plot(file: PlacedYaml, entry: dict[Any, Any]) -> PlotLayout:
@@ -155,14 +180,27 @@ def layout_text(layout: Layout) -> str:
     if layout.plots:
         values["plots"] = [_plot_values(plot) for plot in layout.plots]
     if layout.camera is not None:
-        values["camera"] = {
-            name: [round(part, 4) for part in point] for name, point in layout.camera._asdict().items()
-        }
-        if layout.camera_frame:
-            values["camera"]["frame"] = layout.camera_frame
+        values["camera"] = _view_values(
+            SavedView("", layout.camera, layout.camera_kind, layout.camera_frame, layout.camera_turns)
+        )
+    if layout.views:
+        values["views"] = [{"name": view.name, **_view_values(view)} for view in layout.views]
     if layout.start_offset_s is not None:
         values["start_offset"] = layout.start_offset_s
     return str(yaml.safe_dump(values, sort_keys=False, allow_unicode=True))
+
+
+def _view_values(view: SavedView) -> dict[str, Any]:
+    values: dict[str, Any] = {
+        name: [round(part, 4) for part in point] for name, point in view.camera._asdict().items()
+    }
+    if view.kind != "orbit":
+        values["kind"] = view.kind
+    if view.frame:
+        values["frame"] = view.frame
+    if view.turns:
+        values["turns"] = True
+    return values
 
 
 def _plot_values(plot: PlotLayout) -> dict[str, Any]:

@@ -10,10 +10,12 @@ from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, UPDATE_SUFFIX
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, Setting, SettingError, Value
 from tfloom.viewer.layout.layout import (
     DEFAULT_AXES_M,
+    TOP_FOV_RAD,
     DisplayLayout,
     Layout,
     LayoutError,
     Point,
+    SavedView,
     ViewPoint,
 )
 from tfloom.viewer.layout.placed_yaml import PlacedYaml
@@ -68,9 +70,10 @@ FIRST_PERSON = "FPS"
 FROM_ABOVE = "TopDownOrtho"
 FIRST_PERSON_M = 5.0
 """How far before a first person's camera the point is to which it looks [m]."""
+NEAR_M = 0.01
+"""A camera that is nearer to the origin of its frame is in this frame [m]."""
 MAX_PITCH_RAD = 1.56
 """Straight from above or from below has no direction upwards."""
-FOV_RAD = math.radians(75.0)
 WINDOW_PX = 600.0
 """Height of the window for which the scale of a view from above is taken."""
 NO_TARGET = "<Fixed Frame>"
@@ -89,18 +92,20 @@ def rviz_layout(file: PlacedYaml) -> tuple[Layout, list[str]]:
     reader.take_displays(manager, 0)
     reader.take_tools(manager)
     fixed_frame = file.text(file.mapping(manager, "Global Options"), "Fixed Frame")
-    view = file.mapping(file.mapping(manager, "Views"), "Current")
-    camera = reader.camera(view)
-    camera_frame = reader.camera_frame(view, fixed_frame) if camera is not None else ""
+    views = file.mapping(manager, "Views")
+    current = reader.view(file.mapping(views, "Current"), fixed_frame)
+    saved = [reader.view(row, fixed_frame) for row in file.items(views, "Saved") if isinstance(row, dict)]
     layout = Layout(
         fixed_frame=fixed_frame,
         with_names=reader.with_names,
         axes_m=reader.axes_m,
         frames=reader.frames,
         displays=tuple(dict.fromkeys(reader.displays)),
-        camera=camera,
-        camera_frame=camera_frame,
-        camera_turns=bool(camera_frame) and str(view.get("Class", "")).rpartition("/")[2] == TURNING,
+        camera=None if current is None else current.camera,
+        camera_frame="" if current is None else current.frame,
+        camera_turns=current is not None and current.turns,
+        camera_kind="orbit" if current is None else current.kind,
+        views=tuple(view for view in saved if view is not None),
     )
     return layout, reader.unknown
 
@@ -242,31 +247,29 @@ class _Reader:
             if full and full != TOOL_TOPICS[kind]:
                 self.unknown.append(f"{kind} on {full}, which publishes on {TOOL_TOPICS[kind]} here")
 
-    def camera(self, view: dict[Any, Any]) -> ViewPoint | None:
-        """Return the camera, in its target frame; None where there is none that is known."""
+    def view(self, view: dict[Any, Any], fixed_frame: str) -> SavedView | None:
+        """Return a camera, in its target frame; None where there is none that is known."""
         if not view:
             return None
         file = self._file
         kind = str(view.get("Class", "")).rpartition("/")[2]
+        name = file.text(view, "Name") or kind
+        target = file.text(view, "Target Frame", NO_TARGET)
+        frame = "" if target in {NO_TARGET, fixed_frame, ""} else target
         if file.flag(view, "Invert Z Axis", default=False):
             self.unknown.append("a view with the z axis downwards, which is upwards here")
         if kind in ORBITS:
-            return self._orbit(view)
-        if kind == FIRST_PERSON:
-            return self._first_person(view)
+            return SavedView(name, self._orbit(view), "orbit", frame, bool(frame) and kind == TURNING)
         if kind == FROM_ABOVE:
-            self.unknown.append("a view from above without perspective, which has it here")
-            return self._from_above(view)
+            return SavedView(name, self._from_above(view), "top", frame)
+        if kind == FIRST_PERSON:
+            camera = self._first_person(view)
+            if not frame or math.dist(camera.position, (0.0, 0.0, 0.0)) > NEAR_M:
+                return SavedView(name, camera, "orbit", frame)
+            self.unknown.append(f"a first person's camera in {frame} that turns with it here")
+            return SavedView(name, camera, "first_person", frame)
         self.unknown.append(f"a camera of the class {view.get('Class', 'none')}")
         return None
-
-    def camera_frame(self, view: dict[Any, Any], fixed_frame: str) -> str:
-        """Return the frame that the camera follows in RViz; empty where that is the fixed frame."""
-        target = self._file.text(view, "Target Frame", NO_TARGET)
-        if target in {NO_TARGET, fixed_frame, ""}:
-            return ""
-        self.unknown.append(f"a camera that follows {target}: it starts there, and stays where it is")
-        return target
 
     def _direction(self, view: dict[Any, Any]) -> tuple[float, float, float]:
         """Return the direction of a view's pitch and yaw, upwards where the pitch is above zero."""
@@ -291,7 +294,7 @@ class _Reader:
         file = self._file
         x, y = file.number(view, "X", 0.0), file.number(view, "Y", 0.0)
         angle = file.number(view, "Angle", 0.0)
-        height = WINDOW_PX / max(file.number(view, "Scale", 10.0), 1e-3) / 2.0 / math.tan(FOV_RAD / 2.0)
+        height = WINDOW_PX / max(file.number(view, "Scale", 10.0), 1e-3) / 2.0 / math.tan(TOP_FOV_RAD / 2.0)
         # A little aside, because straight from above has no direction upwards.
         aside = 0.001 * height
         return ViewPoint(

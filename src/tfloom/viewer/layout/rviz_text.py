@@ -9,8 +9,23 @@ from typing import Any
 from tfloom.viewer.displays.camera_info import images_of
 from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, UPDATE_SUFFIX
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, Setting, usual_values
-from tfloom.viewer.layout.layout import DEFAULT_AXES_M, DisplayLayout, Layout, ViewPoint
-from tfloom.viewer.layout.rviz_file import NAMESPACE_KEY, NO_TARGET, OURS, RVIZ_SECTION, TOOL_TOPICS
+from tfloom.viewer.layout.layout import (
+    DEFAULT_AXES_M,
+    TOP_FOV_RAD,
+    DisplayLayout,
+    Layout,
+    SavedView,
+    ViewPoint,
+)
+from tfloom.viewer.layout.rviz_file import (
+    NAMESPACE_KEY,
+    NO_TARGET,
+    OURS,
+    RVIZ_SECTION,
+    TOOL_TOPICS,
+    TURNING,
+    WINDOW_PX,
+)
 
 __all__ = ["rviz_text"]
 
@@ -132,11 +147,26 @@ class _Writer:
         return made
 
     def views(self) -> dict[str, Any]:
-        """Return the camera, as one that looks at a focal point."""
-        camera = self._layout.camera
-        if camera is None:
-            return {}
-        return {"Current": _orbit(camera, self._layout.camera_frame or NO_TARGET), "Saved": None}
+        """Return the camera and the saved views."""
+        layout = self._layout
+        views: dict[str, Any] = {"Saved": [self._view(view) for view in layout.views] or None}
+        if layout.camera is not None:
+            kind, frame, turns = layout.camera_kind, layout.camera_frame, layout.camera_turns
+            views["Current"] = self._view(SavedView("Current View", layout.camera, kind, frame, turns))
+        return views if layout.camera is not None or layout.views else {}
+
+    def _view(self, view: SavedView) -> dict[str, Any]:
+        if view.kind == "top":
+            made = _from_above(view.camera)
+        elif view.kind == "first_person":
+            made = _first_person(view.camera)
+            self.unknown.append(f"that the first person's camera {view.name} turns with {view.frame}")
+        else:
+            made = _orbit(view.camera)
+            made["Class"] = f"{PLUGINS}/{TURNING if view.turns else 'Orbit'}"
+        if view.kind == "top" and view.turns:
+            self.unknown.append(f"that the view {view.name} turns with {view.frame}")
+        return {**made, "Name": view.name, "Target Frame": view.frame or NO_TARGET}
 
 
 def _color_by_choice(made: dict[str, Any], color_by: str, choice: str) -> None:
@@ -151,15 +181,34 @@ def _color_by_choice(made: dict[str, Any], color_by: str, choice: str) -> None:
         del made["Color Transformer"]
 
 
-def _orbit(camera: ViewPoint, frame: str) -> dict[str, Any]:
+def _orbit(camera: ViewPoint) -> dict[str, Any]:
     x, y, z = (there - at for there, at in zip(camera.position, camera.look_at, strict=True))
     distance = math.dist(camera.position, camera.look_at)
     return {
-        "Class": f"{PLUGINS}/Orbit",
         "Distance": round(distance, 6),
         "Focal Point": dict(zip("XYZ", camera.look_at, strict=True)),
-        "Name": "Current View",
         "Pitch": round(math.asin(z / distance) if distance else 0.0, 6),
-        "Target Frame": frame,
         "Yaw": round(math.atan2(y, x), 6),
+    }
+
+
+def _first_person(camera: ViewPoint) -> dict[str, Any]:
+    x, y, z = (there - at for there, at in zip(camera.look_at, camera.position, strict=True))
+    return {
+        "Class": f"{PLUGINS}/FPS",
+        "Position": dict(zip("XYZ", camera.position, strict=True)),
+        "Pitch": round(-math.atan2(z, math.hypot(x, y)), 6),
+        "Yaw": round(math.atan2(y, x), 6),
+    }
+
+
+def _from_above(camera: ViewPoint) -> dict[str, Any]:
+    """Return a view from above that shows as much in a window of the height for which it is read."""
+    x, y, height = (there - at for there, at in zip(camera.position, camera.look_at, strict=True))
+    return {
+        "Class": f"{PLUGINS}/TopDownOrtho",
+        "X": camera.look_at[0],
+        "Y": camera.look_at[1],
+        "Scale": round(WINDOW_PX / max(2.0 * height * math.tan(TOP_FOV_RAD / 2.0), 1e-6), 6),
+        "Angle": round(math.atan2(-y, -x) - math.pi / 2.0, 6),
     }

@@ -6,6 +6,8 @@ const KEY_TEXTS = [
   ["M", "move: turn, shift and zoom"], ["G", "goal pose"], ["P", "initial pose"], ["C", "point"], ["V", "drive"],
   ["arrows, W A S D", "drive ahead, back and around, while V is chosen"], ["F", "see all that is shown"],
   ["double click", "see all of what is at this place"],
+  ["O, T, I", "camera: orbit, from above, out of the selected frame"], ["L", "follow the selected frame; again: and its yaw; again: none"],
+  ["B", "cameras and saved views"],
   ["space", "play or pause a recording; the newest time of a graph"], ["Esc", "select no frame, and move"], ["?", "this list"],
 ];
 
@@ -18,6 +20,7 @@ function takeShortcut(event) {
   if (event.code === "Space" && (isMark || tag === "BUTTON")) return;
   if (event.key === "?") toggleKeys();
   else if (event.code === "Escape") leave();
+  else if (event.code in CAMERA_KEYS) CAMERA_KEYS[event.code]();
   else if (event.code === "KeyF") send({ op: "fit" });
   else if (event.code === "Space") { event.preventDefault(); $("live").click(); }
   else if (event.code in TOOL_KEYS) chooseByKey(TOOL_KEYS[event.code]);
@@ -30,6 +33,7 @@ function chooseByKey(name) {
 
 function leave() {
   if ($("keys").open) { $("keys").close(); return; }
+  if ($("camera-box").open) { $("camera-box").close(); return; }
   if (tool) chooseTool("");
   else send({ op: "unselect" });
 }
