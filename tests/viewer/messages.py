@@ -8,7 +8,7 @@ import numpy as np
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import Point, Pose, Quaternion, Vector3, Wrench, WrenchStamped
-from tfloom.interfaces.sensor_msgs.msg import PointCloud2, PointField
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, Header
 from tfloom.interfaces.visualization_msgs.msg import Marker
 
@@ -52,6 +52,23 @@ def cloud(points: np.ndarray, frame: str = "map") -> PointCloud2:
         row_step=points.dtype.itemsize * len(points),
         data=points.tobytes(),
     )
+
+
+def depth_image(depths: Any, encoding: str = "32FC1", frame: str = "map", sec: int = 1) -> Image:
+    """Return an image of depths (H, W), in the encoding's unit; each row has 8 bytes more than its pixels."""
+    table = np.asarray(depths, "<f4" if encoding == "32FC1" else "<u2")
+    height, width = table.shape
+    step = width * table.itemsize + 8
+    data = b"".join(row.tobytes() + bytes([255] * 8) for row in table)
+    return Image(
+        header=header(frame, sec), height=height, width=width, step=step, encoding=encoding, data=data
+    )
+
+
+def camera_info(width: int, height: int, focal: float = 2.0, sec: int = 1) -> CameraInfo:
+    """Return the info of a camera whose axis is at the pixel (1, 0); along y it has half the focal length."""
+    k = [focal, 0, 1.0, 0, focal / 2.0, 0.0, 0, 0, 1]
+    return CameraInfo(header=header("map", sec), width=width, height=height, k=k)
 
 
 def marker(kind: int, number: int = 0, **fields: Any) -> Marker:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import cloud, header, marker, pose, wrench
+from tests.viewer.messages import camera_info, cloud, depth_image, header, marker, pose, wrench
 
 from tfloom.interfaces.builtin_interfaces.msg import Duration
 from tfloom.interfaces.geometry_msgs.msg import (
@@ -35,10 +35,12 @@ from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
 from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
 from tfloom.viewer.color_scale import rainbow
-from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
+from tfloom.viewer.displays.camera_info import CameraDisplay, images_of, info_topic_of, pinhole_of
+from tfloom.viewer.displays.depth_cloud import DepthCloudDisplay
 from tfloom.viewer.displays.display import Display, shown_text
 from tfloom.viewer.displays.kinds import KINDS, LABELS, ROBOT, kind_of, make_display
 from tfloom.viewer.displays.markers import MAX_MARKERS, MarkerDisplay
+from tfloom.viewer.displays.point_cloud import MAX_POINTS
 from tfloom.viewer.displays.settings import (
     CLOUD_SETTINGS,
     MARKER_SETTINGS,
@@ -297,6 +299,87 @@ def test_turtle_is_on_its_water() -> None:
     assert display.shapes(S)[1].shape is before  # so that the page gets a pose, not a picture
     with pytest.raises(shapes.DisplayError, match="not finite"):
         display.take(TurtlePose(x=math.nan), S)
+
+
+# Depth images.
+
+
+def depth_shapes(image: Image, focal: float = 2.0, **settings: Any) -> list[shapes.Placed]:
+    display = DepthCloudDisplay({**usual_values(CLOUD_SETTINGS), **settings})
+    display.camera = pinhole_of(camera_info(image.width, image.height, focal))
+    return display.shapes_of(image)
+
+
+@pytest.mark.parametrize(("encoding", "unit"), [("32FC1", 1.0), ("16UC1", 1000.0)])
+def test_pixel_of_a_depth_image_is_where_its_ray_has_that_depth(encoding: str, unit: float) -> None:
+    (placed,) = depth_shapes(depth_image(np.array([[1, 2, 0], [0, 4, 8]]) * unit, encoding, "lens", 7))
+    assert (placed.frame_id, placed.stamp_ns) == ("lens", 7 * S)
+    # By x = (u - 1) z / 2 and y = (v - 0) z / 1.
+    expected = [(-0.5, 0.0, 1.0), (0.0, 0.0, 2.0), (0.0, 4.0, 4.0), (4.0, 8.0, 8.0)]
+    assert placed.shape.positions == pytest.approx(np.array(expected))
+
+
+def test_depth_image_of_the_other_byte_order_is_the_same_cloud() -> None:
+    image = depth_image([[3000, 0, 500]], "16UC1")
+    (placed,) = depth_shapes(image)
+    swapped = Image(
+        header=header(), height=1, width=3, step=6, encoding="16UC1", is_bigendian=1,
+        data=np.array([3000, 0, 500], ">u2").tobytes(),
+    )  # fmt: skip
+    (again,) = depth_shapes(swapped)
+    assert (again.shape.positions == placed.shape.positions).all()
+
+
+def test_pixel_without_a_depth_is_no_point_and_an_image_without_any_is_nothing() -> None:
+    none = [math.nan, math.inf, -math.inf, 0.0, -1.0]
+    (placed,) = depth_shapes(depth_image([[*none, 2.0]]))
+    assert placed.shape.positions.tolist() == [[4.0, 0.0, 2.0]]
+    assert depth_shapes(depth_image([none])) == []
+    assert depth_shapes(depth_image([[3e38, 1.0]]), focal=1e-300) != []
+
+
+def test_cloud_of_a_depth_image_has_the_colours_that_are_set() -> None:
+    image = depth_image([[1.0, 2.0]])
+    (flat,) = depth_shapes(image, color_by="flat", color=(1, 2, 3))
+    assert flat.shape.colors.tolist() == [1, 2, 3]
+    (deep,) = depth_shapes(image)
+    assert deep.shape.colors.shape == (2, 3)
+    assert (deep.shape.colors[0] != deep.shape.colors[1]).any()
+
+
+@pytest.mark.parametrize("size", [(2000, 1000), (1, 3_000_000)])
+def test_large_depth_image_is_drawn_by_a_part_of_its_pixels(size: tuple[int, int]) -> None:
+    (placed,) = depth_shapes(depth_image(np.full(size, 1000), "16UC1"))
+    count = len(placed.shape.positions)
+    assert MAX_POINTS / 8 < count <= MAX_POINTS
+    last = placed.shape.positions[-1]  # one of the last row and column that are drawn, in its place
+    assert last[1] == pytest.approx(size[0] - 1, abs=10)
+    assert last[0] == pytest.approx((size[1] - 2) / 2, abs=50)
+
+
+def test_depth_image_that_cant_be_drawn_is_a_sentence() -> None:
+    display = DepthCloudDisplay(usual_values(CLOUD_SETTINGS))
+    with pytest.raises(shapes.DisplayError, match="its camera info is not known"):
+        display.shapes_of(depth_image([[1.0]]))
+    display.camera = pinhole_of(camera_info(3, 1))
+    with pytest.raises(shapes.DisplayError, match="it has 2 by 1 pixels, and its camera info is of 3 by 1"):
+        display.shapes_of(depth_image([[1.0, 1.0]]))
+    for encoding in ("rgb8", "mono8", "x" * 300):
+        with pytest.raises(shapes.DisplayError, match="and that of depths is 16UC1 or 32FC1"):
+            display.shapes_of(Image(width=3, height=1, step=9, encoding=encoding, data=bytes(9)))
+    for sizes in ({"height": 2**32 - 1}, {"width": 2**31}, {"step": 0}, {"step": 2**32 - 1}, {"data": b""}):
+        image = depth_image([[1.0, 1.0, 1.0]])
+        for name, value in sizes.items():
+            setattr(image, name, value)
+        with pytest.raises(shapes.DisplayError, match="which don't fit"):
+            display.shapes_of(image)
+    with pytest.raises(shapes.DisplayError, match="no pixels"):
+        display.shapes_of(Image(encoding="16UC1"))
+
+
+def test_camera_info_of_an_image_is_beside_it() -> None:
+    assert info_topic_of("/cam/depth/image_raw") == "/cam/depth/camera_info"
+    assert info_topic_of("/image") == "/camera_info"
 
 
 # Wrenches.

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import cloud, header, marker, pose, wrench
+from tests.viewer.messages import camera_info, cloud, depth_image, header, marker, pose, wrench
 
 from tfloom.interfaces.geometry_msgs.msg import (
     Point,
@@ -32,7 +32,10 @@ from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
+from tfloom.viewer.displays.camera_info import pinhole_of
+from tfloom.viewer.displays.depth_cloud import DepthCloudDisplay
 from tfloom.viewer.displays.kinds import kind_of
+from tfloom.viewer.displays.settings import CLOUD_SETTINGS, usual_values
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.shapes import DisplayError
@@ -113,6 +116,26 @@ def test_changed_bytes_are_drawn_or_are_a_sentence(topic: str) -> None:
                 assert np.isfinite(pose_in_map[0]).all()
     assert drawn, feed.status
     assert time.monotonic() < start_s + LONGEST_S
+
+
+@pytest.mark.parametrize("encoding", ["16UC1", "32FC1"])
+def test_changed_depth_images_and_infos_are_drawn_or_are_a_sentence(encoding: str) -> None:
+    image, info = depth_image(np.ones((3, 4)), encoding), camera_info(4, 3)
+    chance = random.Random(7)
+    drawn = 0
+    for number in range(TRIES):
+        display = DepthCloudDisplay(usual_values(CLOUD_SETTINGS))
+        seen = changed(cdr.encode(info), chance) if number % 2 else cdr.encode(info)
+        data = changed(cdr.encode(image), chance) if number % 3 else cdr.encode(image)
+        try:
+            display.camera = pinhole_of(cdr.decode(CameraInfo, seen))
+            display.take(cdr.decode(Image, data), 1)
+        except (DisplayError, cdr.DecodeError):
+            continue
+        for placed in display.shapes(1):
+            assert np.isfinite(placed.shape.positions).all()
+            drawn += 1
+    assert drawn > TRIES / 6
 
 
 def test_changed_images_are_pictures_or_a_sentence() -> None:

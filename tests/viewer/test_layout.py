@@ -704,6 +704,36 @@ def test_what_rviz_has_no_counterpart_for_is_named() -> None:
     assert "turtle1" not in text
 
 
+def test_depth_cloud_of_rviz_is_read_and_written(write: Write) -> None:
+    text = """\
+Visualization Manager:
+  Displays:
+    - Class: rviz_default_plugins/DepthCloud
+      Auto Size: {Auto Size Factor: 1, Value: true}
+      Color: 1; 2; 3
+      Color Image Topic: ""
+      Color Transformer: FlatColor
+      Color Transport Hint: raw
+      Depth Map Topic: /cam/depth/image_raw
+      Depth Map Transport Hint: raw
+      Enabled: true
+      Name: Depth
+      Occlusion Compensation: {Occlusion Time-Out: 30, Value: false}
+      Topic Filter: true
+      Value: true
+"""
+    layout, unknown = read_layout(write(text, "depth.rviz"))
+    settings = (("color_by", "flat"), ("color", (1, 2, 3)))
+    assert layout.displays == (DisplayLayout("/cam/depth/image_raw", "", settings, "DepthCloud"),)
+    assert unknown == ["Auto Size of the display Depth"]
+    written, missing = rviz_text(layout)
+    assert missing == []
+    assert "Depth Map Topic: /cam/depth/image_raw" in written
+    again, _ = read_layout(write(written, "again.rviz"))
+    assert again.displays == layout.displays
+    assert read_layout(write(layout_text(layout))) == (layout, [])
+
+
 def test_property_of_rviz_without_a_counterpart_is_named_unless_it_changes_nothing(write: Write) -> None:
     text = CLOUD_OF_RVIZ.replace("Position Transformer: XYZ", "Position Transformer: XYZW\n      Glow: 3")
     _, unknown = read_layout(write(text, "all.rviz"))

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import cloud, header, marker, pose, wrench
+from tests.viewer.messages import camera_info, cloud, depth_image, header, marker, pose, wrench
 from tests.viewer.stages import Stage
 
 from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped, PoseWithCovariance, WrenchStamped
@@ -541,6 +541,99 @@ def test_topic_is_shown_twice_in_two_ways(stage: Stage) -> None:
     with pytest.raises(PageError, match="there is no topic '/none'"):
         stage.view.command({"op": "another", "topic": "/none", "kind": "PointCloud2"})
     assert all(display.topic != "/none" for display in stage.view.layout(None).displays)
+
+
+def depth(stage: Stage, topic: str = "/cam/depth") -> list[list[float]]:
+    """Return the points of a depth image that are drawn."""
+    stage.draw()
+    return [point for node in stage.drawn(topic) if node.visible for point in node.points.tolist()]
+
+
+def test_depth_image_is_a_cloud_by_the_info_beside_it_and_again_when_that_changes(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0, 3.0)
+    stage.topics.add("/cam/depth", depth_image([[2.0, 0.0]]))
+    stage.view.apply(Layout(displays=(DisplayLayout("/cam/depth", kind="DepthCloud"),)))
+    stage.draw()
+    assert stage.status("/cam/depth") == (
+        "the cloud can't be drawn: nobody publishes its camera info, /cam/camera_info"
+    )
+    stage.topics.add("/cam/camera_info", camera_info(2, 1))
+    assert depth(stage) == [[-1.0, 0.0, 2.0]]
+    assert stage.status("/cam/depth") == ""
+    stage.topics.add("/cam/camera_info", camera_info(2, 1, focal=4.0, sec=3), 3 * S)
+    assert depth(stage) == [[-0.5, 0.0, 2.0]]
+    stage.view.command({"op": "hold", "stamp_ns": str(2 * S)})
+    assert depth(stage) == [[-1.0, 0.0, 2.0]]
+    stage.view.command({"op": "hold", "stamp_ns": None})
+    stage.topics.add("/cam/camera_info", camera_info(2, 1, focal=0.0, sec=4), 4 * S)
+    assert depth(stage) == []
+    assert "the camera info on /cam/camera_info can't be used: it is not calib" in stage.status("/cam/depth")
+    stage.topics.add("/cam/camera_info", camera_info(2, 1, sec=5), 5 * S)
+    assert depth(stage) == [[-1.0, 0.0, 2.0]]
+    assert stage.view.layout(None).displays == (DisplayLayout("/cam/depth", kind="DepthCloud"),)
+    assert stage.reports == []
+
+
+def test_image_that_is_shown_may_be_a_cloud_too(stage: Stage) -> None:
+    stage.move("map", "a", 1.0, 2.0)
+    stage.topics.add("/cam/depth", depth_image([[2.0, 0.0]]))
+    stage.topics.add("/cam/camera_info", camera_info(2, 1))
+    stage.view.set_display("/cam/depth", on=True)
+    row = next(row for row in stage.draw()["displays"] if row["topic"] == "/cam/depth")
+    assert (row["kind"], row["kinds"], row["is_image"]) == ("Image", ["Image", "DepthCloud"], True)
+    stage.view.command({"op": "another", "topic": "/cam/depth", "kind": "DepthCloud"})
+    assert depth(stage, "/cam/depth #2") == [[-1.0, 0.0, 2.0]]
+    assert list(stage.view.image_entries()) == ["/cam/depth"]
+    stage.view.command({"op": "set", "topic": "/cam/depth #2", "setting": "color_by", "value": "flat"})
+    stage.draw()
+    assert [node.colors.tolist() for node in stage.drawn("/cam/depth #2")] == [[255, 255, 255]]
+
+
+def test_depth_cloud_reads_its_info_only_while_it_is_shown_and_looked_at(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def add(focal: float = 2.0, second: int = 1) -> None:
+        stage.topics.add("/cam/camera_info", camera_info(2, 1, focal, second), second * S)
+        stage.topics.add("/cam/depth", depth_image([[2.0, 0.0]], sec=second), second * S)
+
+    stage.move("map", "a", 1.0, 2.0)
+    stage.view.want("/cam/depth")
+    stage.view._wanted["/cam/depth"] = DisplayLayout("/cam/depth", kind="DepthCloud")
+    add()
+    assert depth(stage) == [[-1.0, 0.0, 2.0]]
+    stage.view.suspend()
+    assert stage.topics.logs == {}
+    stage.view.resume()
+    assert depth(stage) == [[-1.0, 0.0, 2.0]]  # it stays until the first message
+    add(4.0)
+    assert depth(stage) == [[-0.5, 0.0, 2.0]]
+    stage.view.set_display("/cam/depth", on=False)
+    assert stage.topics.logs == {}
+    stage.view._wanted["/cam/depth"] = DisplayLayout("/cam/depth", kind="DepthCloud")
+    add(8.0)
+    assert depth(stage) == [[-0.25, 0.0, 2.0]]
+    feed = stage.view.feed("/cam/depth")
+    assert feed is not None
+    feed.forget()  # as where the time of a simulation goes back
+    assert stage.topics.logs == {}
+    feed.read(stage.topics.open("/cam/depth"))
+    stage.topics.add("/cam/depth", depth_image([[2.0, 0.0]]))
+    stage.topics.silences["/cam/camera_info"] = "its publisher keeps another policy"
+    assert depth(stage) == []
+    assert stage.status("/cam/depth").endswith(
+        "there is no camera info on /cam/camera_info: its publisher keeps another policy"
+    )
+    stage.topics.add("/cam/camera_info", camera_info(2, 1))
+    assert depth(stage) == [[-1.0, 0.0, 2.0]]
+    feed.close()
+    opened = stage.topics.open
+    with monkeypatch.context() as patch:
+        patch.setattr(stage.topics, "open", lambda _: 1 / 0)
+        assert depth(stage) == []
+    assert stage.status("/cam/depth").startswith("it can't be shown")
+    feed.read(opened("/cam/depth"))
+    add(4.0, 2)
+    assert depth(stage) == [[-0.5, 0.0, 2.0]]
 
 
 def test_axes_and_grid_need_no_topic(stage: Stage) -> None:

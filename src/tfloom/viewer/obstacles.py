@@ -40,6 +40,7 @@ MAX_NAME = 80
 THINGS = {
     "PointCloud2": "the cloud",
     "PointCloud": "the cloud",
+    "DepthCloud": "the cloud",
     "LaserScan": "the scan",
     "Range": "the range",
     "Camera": "the camera",

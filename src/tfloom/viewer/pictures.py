@@ -12,7 +12,7 @@ from tfloom.viewer.shapes import DisplayError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["picture_of", "small_pixels"]
+__all__ = ["picture_of", "pixel_table", "small_pixels"]
 
 MAX_BYTES = 64 * 1024 * 1024
 MAX_SIDE_PX = 1280
@@ -100,7 +100,26 @@ def _pixels(message: Any) -> NDArray[np.uint8]:
     layout = LAYOUTS.get(message.encoding)
     if layout is None:
         raise DisplayError(f"its encoding is {message.encoding[:60]!r}, which is not shown")
-    kind, channels = layout
+    table = pixel_table(message, *layout)
+    reduction = -(-max(table.shape[:2]) // MAX_SIDE_PX)
+    table = table[::reduction, ::reduction]
+    if layout[1] == 1:
+        return _grey(table[:, :, 0])
+    first = table[:, :, :3]
+    return np.ascontiguousarray(first[:, :, ::-1] if message.encoding.startswith(("bgr", "8UC3")) else first)
+
+
+def pixel_table(message: Any, kind: str, channels: int) -> NDArray[Any]:
+    """Return the numbers of a `sensor_msgs/msg/Image` (H, W, channels), as a view of its data.
+
+    Args:
+        message: The image.
+        kind: Type of a number, as numpy's without the byte order.
+        channels: Number of channels.
+
+    Raises:
+        DisplayError: its sizes don't fit its data, or are zero.
+    """
     dtype = np.dtype((">" if message.is_bigendian else "<") + kind)
     width, height, step = int(message.width), int(message.height), int(message.step)
     row = width * channels * dtype.itemsize
@@ -112,12 +131,7 @@ def _pixels(message: Any) -> NDArray[np.uint8]:
     table: NDArray[Any] = np.ndarray(
         (height, width, channels), dtype, data, strides=(step, channels * dtype.itemsize, dtype.itemsize)
     )
-    reduction = -(-max(width, height) // MAX_SIDE_PX)
-    table = table[::reduction, ::reduction]
-    if channels == 1:
-        return _grey(table[:, :, 0])
-    first = table[:, :, :3]
-    return np.ascontiguousarray(first[:, :, ::-1] if message.encoding.startswith(("bgr", "8UC3")) else first)
+    return table
 
 
 def _grey(table: NDArray[Any]) -> NDArray[np.uint8]:

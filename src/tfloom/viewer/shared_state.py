@@ -22,7 +22,7 @@ from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, Kind, kind_of
+from tfloom.viewer.displays.kinds import DEPTH_CLOUD, INTERACTIVE, LABELS, Kind, kind_of, kinds_of
 from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, SettingError, to_file, usual_values
 from tfloom.viewer.extents import Extent, extent_of
@@ -392,6 +392,10 @@ class SharedView:
         return feed
 
     def _feed_of(self, kind: Kind, topic: str, cursor: Cursor) -> Feed:
+        if kind is DEPTH_CLOUD:
+            from tfloom.viewer.depth_feed import DepthFeed
+
+            return DepthFeed(topic, kind, cursor, self.topics)
         if kind.label != INTERACTIVE:
             return Feed(topic, kind, cursor)
         if self.station is None:
@@ -427,10 +431,10 @@ class SharedView:
         type_name = self.topics.types().get(wanted.topic)
         if type_name is None:
             raise PageError(f"there is no topic {wanted.topic!r}")
-        kind = kind_of(wanted.topic, type_name)
-        if kind is None:
+        kinds = kinds_of(wanted.topic, type_name)
+        if not kinds:
             raise PageError(f"no display shows {type_name}")
-        return kind
+        return next((kind for kind in kinds if kind.label == wanted.kind), kinds[0])
 
     def feed(self, topic: str) -> Feed | None:
         """Return what a display shows; None if the topic isn't shown."""
@@ -831,7 +835,7 @@ class SharedView:
                 continue
             if kind is None:
                 kind = LABELS.get(wanted.kind if wanted is not None else "", NO_KIND)
-            again = None if feed is None else kind_of(feed.topic, types.get(feed.topic, ""))
+            again = [] if feed is None else kinds_of(feed.topic, types.get(feed.topic, ""))
             display = None if feed is None else feed.display
             rows.append(
                 {
@@ -839,7 +843,7 @@ class SharedView:
                     "of_topic": _sendable(
                         feed.topic if feed is not None else wanted.topic if wanted else name
                     ),
-                    "kinds": [] if again is None else [again.label],
+                    "kinds": [one.label for one in again],
                     "values": {} if feed is None else feed.values,
                     "parts": [] if feed is None else list(map(_sendable, feed.parts()[:MAX_PARTS])),
                     "kind": kind.label,

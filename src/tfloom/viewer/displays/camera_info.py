@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.displays.settings import Values
     from tfloom.viewer.topic_log import Entry
 
-__all__ = ["CameraDisplay", "images_of"]
+__all__ = ["INFO_TYPE", "CameraDisplay", "Pinhole", "images_of", "info_topic_of", "pinhole_of"]
 
 FRUSTUM_M = 0.5
 """Length of a camera's pyramid [m]."""
@@ -30,6 +30,7 @@ PICTURE_S = 0.2
 MAX_SIDE_PX = 320
 """Longer sides of an image are reduced."""
 NO_IMAGE = "no image"
+INFO_TYPE = "sensor_msgs/msg/CameraInfo"
 
 
 def images_of(topic: str, image_topics: Iterable[str]) -> list[str]:
@@ -38,6 +39,39 @@ def images_of(topic: str, image_topics: Iterable[str]) -> list[str]:
     return sorted(
         image for image in image_topics if image.removesuffix("/compressed").rpartition("/")[0] == beside
     )
+
+
+def info_topic_of(image_topic: str) -> str:
+    """Return the topic of the camera info of an image: the one beside it."""
+    return f"{image_topic.rpartition('/')[0]}/camera_info"
+
+
+class Pinhole(NamedTuple):
+    """How a camera sees, without its distortion."""
+
+    width: int
+    height: int
+    """[pixels]."""
+    fx: float
+    fy: float
+    """Focal lengths [pixels]."""
+    cx: float
+    cy: float
+    """Where the optical axis is [pixels]."""
+
+
+def pinhole_of(info: Any) -> Pinhole:
+    """Return how the camera of a `sensor_msgs/msg/CameraInfo` sees.
+
+    Raises:
+        DisplayError: it is not calibrated.
+    """
+    width, height = int(info.width), int(info.height)
+    fx, _, cx, _, fy, cy = (float(number) for number in info.k[:6])
+    is_finite = all(map(math.isfinite, (fx, fy, cx, cy)))
+    if not (is_finite and fx > 0.0 and fy > 0.0 and width > 0 and height > 0):
+        raise DisplayError("it is not calibrated: its focal lengths and sizes have to be above zero")
+    return Pinhole(width, height, fx, fy, cx, cy)
 
 
 class CameraDisplay:
@@ -121,11 +155,7 @@ def _corners(message: Any) -> NDArray[np.float64]:
     Raises:
         DisplayError: it is not calibrated.
     """
-    width, height = float(message.width), float(message.height)
-    fx, _, cx, _, fy, cy = (float(number) for number in message.k[:6])
-    is_finite = all(map(math.isfinite, (fx, fy, cx, cy)))
-    if not (is_finite and fx > 0.0 and fy > 0.0 and width > 0.0 and height > 0.0):
-        raise DisplayError("it is not calibrated: its focal lengths and sizes have to be above zero")
+    width, height, fx, fy, cx, cy = pinhole_of(message)
     corners = [
         ((u - cx) / fx * FRUSTUM_M, (v - cy) / fy * FRUSTUM_M, FRUSTUM_M)
         for u, v in ((0.0, 0.0), (width, 0.0), (width, height), (0.0, height))

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from tfloom.viewer.displays.settings import Setting, Values
 
 __all__ = [
+    "DEPTH_CLOUD",
     "INTERACTIVE",
     "KEPT_TYPES",
     "KINDS",
@@ -45,6 +46,7 @@ __all__ = [
     "Kind",
     "described_settings",
     "kind_of",
+    "kinds_of",
     "make_display",
 ]
 
@@ -106,6 +108,10 @@ KINDS = {
 }
 """By the type of the messages."""
 
+DEPTH_CLOUD = Kind("DepthCloud", "depth_cloud", "DepthCloudDisplay", CLOUD_SETTINGS)
+FURTHER_KINDS: Mapping[str, tuple[Kind, ...]] = MappingProxyType({"sensor_msgs/msg/Image": (DEPTH_CLOUD,)})
+"""What also shows messages of a type, where that is asked for."""
+
 ROBOT = Kind("RobotModel", "robot_model", "RobotDisplay", ROBOT_SETTINGS)
 PLAIN = (
     Kind("Axes", "plain", "AxesDisplay", AXES_SETTINGS, has_topic=False),
@@ -117,7 +123,7 @@ ROBOT_TOPIC = "robot_description"
 """A topic of this type is a robot's description where its name ends so."""
 
 
-LABELS: Mapping[str, Kind] = {kind.label: kind for kind in (*KINDS.values(), ROBOT, *PLAIN)}
+LABELS: Mapping[str, Kind] = {kind.label: kind for kind in (*KINDS.values(), DEPTH_CLOUD, ROBOT, *PLAIN)}
 """By their labels."""
 
 
@@ -126,6 +132,12 @@ def kind_of(topic: str, type_name: str) -> Kind | None:
     if type_name == ROBOT_TYPE:
         return ROBOT if topic.endswith(ROBOT_TOPIC) else None
     return KINDS.get(type_name)
+
+
+def kinds_of(topic: str, type_name: str) -> list[Kind]:
+    """Return the displays of a topic, the usual one first."""
+    usual = kind_of(topic, type_name)
+    return [] if usual is None else [usual, *FURTHER_KINDS.get(type_name, ())]
 
 
 def described_settings() -> dict[str, Any]:

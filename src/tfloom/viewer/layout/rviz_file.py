@@ -54,6 +54,11 @@ IDLE: Mapping[str, Any] = {
     "Offset": {"X": 0, "Y": 0, "Z": 0},
     "Arrow Length": 0.3,
     "Normal Cell Count": 0,
+    "Color Image Topic": "",
+    "Color Transport Hint": "raw",
+    "Depth Map Transport Hint": "raw",
+    "Occlusion Compensation": {"Occlusion Time-Out": 30, "Value": False},
+    "Topic Filter": True,
 }
 """… that have no counterpart, and change nothing with these values."""
 NAMESPACE_KEY = "Interactive Markers Namespace"
