@@ -75,6 +75,13 @@ def test_what_display_and_simulation_need_is_not_read() -> None:
     assert parsed.joints == {}
 
 
+def test_joint_has_the_limit_of_its_effort() -> None:
+    given = '<limit lower="-1" upper="1" effort="7.5" velocity="1"/>'
+    parsed = parse_urdf(robot(joint("j", "a", "b", "revolute", given)))
+    assert parsed.joints["j"].effort_limit == 7.5
+    assert parse_urdf(robot(joint("j", "a", "b", "continuous", ""))).joints["j"].effort_limit is None
+
+
 def test_a_safety_controller_may_have_one_end() -> None:
     inside = LIMIT + '<safety_controller k_velocity="1" soft_lower_limit="-0.5"/>'
     parsed = parse_urdf(robot(joint("j", "a", "b", "revolute", inside)))

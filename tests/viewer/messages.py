@@ -8,7 +8,7 @@ import numpy as np
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import Point, Pose, Quaternion, Vector3, Wrench, WrenchStamped
-from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, Image, JointState, PointCloud2, PointField
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, Header
 from tfloom.interfaces.visualization_msgs.msg import Marker
 
@@ -69,6 +69,19 @@ def camera_info(width: int, height: int, focal: float = 2.0, sec: int = 1) -> Ca
     """Return the info of a camera whose axis is at the pixel (1, 0); along y it has half the focal length."""
     k = [focal, 0, 1.0, 0, focal / 2.0, 0.0, 0, 0, 1]
     return CameraInfo(header=header("map", sec), width=width, height=height, k=k)
+
+
+ARM = """<robot name="arm"><link name="map"/><link name="a"/><link name="b"/><link name="c"/>
+<joint name="elbow" type="revolute"><parent link="map"/><child link="a"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" effort="10" velocity="1"/></joint>
+<joint name="rail" type="prismatic"><parent link="a"/><child link="b"/><axis xyz="0 1 0"/>
+<limit lower="-1" upper="1" effort="4" velocity="1"/></joint>
+<joint name="wheel" type="continuous"><parent link="b"/><child link="c"/></joint></robot>"""
+"""A joint that turns, one that slides, and one without a limit of its effort."""
+
+
+def efforts(sec: int = 1, **of_joints: float) -> JointState:
+    return JointState(header=header("", sec), name=list(of_joints), effort=list(of_joints.values()))
 
 
 def marker(kind: int, number: int = 0, **fields: Any) -> Marker:

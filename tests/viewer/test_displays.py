@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import camera_info, cloud, depth_image, header, marker, pose, wrench
+from tests.viewer.messages import ARM, camera_info, cloud, depth_image, efforts, header, marker, pose, wrench
 
 from tfloom.interfaces.builtin_interfaces.msg import Duration
 from tfloom.interfaces.geometry_msgs.msg import (
@@ -28,7 +28,7 @@ from tfloom.interfaces.geometry_msgs.msg import (
     WrenchStamped,
 )
 from tfloom.interfaces.nav_msgs.msg import GridCells, MapMetaData, OccupancyGrid, Odometry, Path
-from tfloom.interfaces.sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan, Range
+from tfloom.interfaces.sensor_msgs.msg import CameraInfo, CompressedImage, Image, JointState, LaserScan, Range
 from tfloom.interfaces.std_msgs.msg import ColorRGBA, String
 from tfloom.interfaces.turtlesim.msg import Pose as TurtlePose
 from tfloom.interfaces.visualization_msgs.msg import Marker, MarkerArray
@@ -43,6 +43,7 @@ from tfloom.viewer.displays.markers import MAX_MARKERS, MarkerDisplay
 from tfloom.viewer.displays.point_cloud import MAX_POINTS
 from tfloom.viewer.displays.settings import (
     CLOUD_SETTINGS,
+    EFFORT_SETTINGS,
     MARKER_SETTINGS,
     PATH_SETTINGS,
     WRENCH_SETTINGS,
@@ -50,6 +51,7 @@ from tfloom.viewer.displays.settings import (
     to_file,
     usual_values,
 )
+from tfloom.viewer.displays.wrench import EffortDisplay
 from tfloom.viewer.mesh_files import translucent
 from tfloom.viewer.pictures import picture_of, small_pixels
 from tfloom.viewer.topic_log import Entry
@@ -306,7 +308,7 @@ def test_turtle_is_on_its_water() -> None:
 
 def depth_shapes(image: Image, focal: float = 2.0, **settings: Any) -> list[shapes.Placed]:
     display = DepthCloudDisplay({**usual_values(CLOUD_SETTINGS), **settings})
-    display.camera = pinhole_of(camera_info(image.width, image.height, focal))
+    display.partner = pinhole_of(camera_info(image.width, image.height, focal))
     return display.shapes_of(image)
 
 
@@ -361,7 +363,7 @@ def test_depth_image_that_cant_be_drawn_is_a_sentence() -> None:
     display = DepthCloudDisplay(usual_values(CLOUD_SETTINGS))
     with pytest.raises(shapes.DisplayError, match="its camera info is not known"):
         display.shapes_of(depth_image([[1.0]]))
-    display.camera = pinhole_of(camera_info(3, 1))
+    display.partner = pinhole_of(camera_info(3, 1))
     with pytest.raises(shapes.DisplayError, match="it has 2 by 1 pixels, and its camera info is of 3 by 1"):
         display.shapes_of(depth_image([[1.0, 1.0]]))
     for encoding in ("rgb8", "mono8", "x" * 300):
@@ -380,6 +382,52 @@ def test_depth_image_that_cant_be_drawn_is_a_sentence() -> None:
 def test_camera_info_of_an_image_is_beside_it() -> None:
     assert info_topic_of("/cam/depth/image_raw") == "/cam/depth/camera_info"
     assert info_topic_of("/image") == "/camera_info"
+
+
+# Efforts.
+
+
+def effort_shapes(message: Any, text: str = ARM, **settings: Any) -> list[shapes.Placed]:
+    display = EffortDisplay({**usual_values(EFFORT_SETTINGS), **settings})
+    display.partner = display.partner_of(String(data=text))
+    return display.shapes_of(message)
+
+
+def test_effort_is_an_arrow_along_the_joints_axis_as_long_as_its_share_of_the_limit() -> None:
+    turning, sliding = effort_shapes(efforts(7, elbow=-5.0, rail=4.0, wheel=9.0), scale=2.0)
+    assert [(one.frame_id, one.stamp_ns) for one in (turning, sliding)] == [("a", 7 * S), ("b", 7 * S)]
+    low, high = turning.shape.vertices.min(axis=0), turning.shape.vertices.max(axis=0)
+    assert (low[2], high[2]) == pytest.approx((-1.3, 0.01), abs=0.011)  # half of 2 m, and the head after it
+    assert np.abs(turning.shape.vertices[:, :2]).max() == pytest.approx(0.25, abs=0.03)  # the ring
+    low, high = sliding.shape.vertices.min(axis=0), sliding.shape.vertices.max(axis=0)
+    assert (low[1], high[1]) == pytest.approx((0.0, 2.6), abs=1e-6)
+    assert np.abs(sliding.shape.vertices[:, [0, 2]]).max() == pytest.approx(0.02)  # no ring
+    assert (turning.shape.color, sliding.shape.color) == ((255, 255, 0), (255, 0, 0))
+
+
+def test_effort_beyond_its_limit_is_longer_and_a_small_or_unknown_one_is_not_drawn() -> None:
+    (over,) = effort_shapes(efforts(rail=8.0, elbow=math.nan), opacity=0.5)
+    assert over.shape.vertices[:, 1].max() == pytest.approx(2.6)
+    assert (over.shape.color, over.shape.opacity) == ((255, 0, 0), 0.5)
+    assert effort_shapes(efforts(rail=0.08, elbow=0.0)) == []  # a length that isn't above the width
+
+
+def test_effort_that_cant_be_drawn_is_a_sentence() -> None:
+    for message, sentence in (
+        (efforts(), "it has 0 efforts for 0 joints"),
+        (JointState(name=["elbow", "rail"], effort=[1.0]), "it has 1 efforts for 2 joints"),
+        (efforts(wheel=1.0, other=2.0), "none of its joints is one of the robot"),
+        (efforts(rail=math.inf), "the arrow of rail is longer than"),
+        (efforts(rail=-1e13), "the arrow of rail is longer than"),
+    ):
+        with pytest.raises(shapes.DisplayError, match=sentence):
+            effort_shapes(message)
+    with pytest.raises(shapes.DisplayError, match="it is not a URDF"):
+        effort_shapes(efforts(rail=1.0), "<robot")
+    with pytest.raises(shapes.DisplayError, match="none of its joints has a limit of its effort"):
+        effort_shapes(efforts(rail=1.0), ARM.replace('effort="', 'effort="-'))
+    with pytest.raises(shapes.DisplayError, match="its robot description is not known"):
+        EffortDisplay(usual_values(EFFORT_SETTINGS)).shapes_of(efforts(rail=1.0))
 
 
 # Wrenches.

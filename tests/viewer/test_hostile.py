@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import camera_info, cloud, depth_image, header, marker, pose, wrench
+from tests.viewer.messages import ARM, camera_info, cloud, depth_image, efforts, header, marker, pose, wrench
 
 from tfloom.interfaces.geometry_msgs.msg import (
     Point,
@@ -36,6 +36,7 @@ from tfloom.viewer.displays.camera_info import pinhole_of
 from tfloom.viewer.displays.depth_cloud import DepthCloudDisplay
 from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.displays.settings import CLOUD_SETTINGS, usual_values
+from tfloom.viewer.displays.wrench import EffortDisplay
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.shapes import DisplayError
@@ -73,6 +74,7 @@ MESSAGES: dict[str, Any] = {
     "/wrench": wrench((9.0, 0.0, 0.0), (0.0, 9.0, 0.0)),
     "/twist": TwistStamped(header=header(), twist=Twist(linear=Vector3(x=9.0), angular=Vector3(z=9.0))),
     "/cells": GridCells(header=header(), cell_width=0.5, cell_height=0.5, cells=[Point()] * 3),
+    "/joint_states": efforts(elbow=5.0, rail=4.0),
     "/turtle": TurtlePose(x=1.0),
     "/robot_description": String(data=URDF),
 }
@@ -95,6 +97,8 @@ def test_changed_bytes_are_drawn_or_are_a_sentence(topic: str) -> None:
     assert kind is not None
     log = TopicLog(10**18, lambda data: cdr.decode(type(message), data))
     feed = Feed(topic, kind, log.open())
+    if isinstance(feed.display, EffortDisplay):
+        feed.display.partner = feed.display.partner_of(String(data=ARM))
     buffer = Buffer()
     buffer.set_log_callback(None)
     buffer.set("map", "base", 1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0), static=True)
@@ -128,7 +132,7 @@ def test_changed_depth_images_and_infos_are_drawn_or_are_a_sentence(encoding: st
         seen = changed(cdr.encode(info), chance) if number % 2 else cdr.encode(info)
         data = changed(cdr.encode(image), chance) if number % 3 else cdr.encode(image)
         try:
-            display.camera = pinhole_of(cdr.decode(CameraInfo, seen))
+            display.partner = pinhole_of(cdr.decode(CameraInfo, seen))
             display.take(cdr.decode(Image, data), 1)
         except (DisplayError, cdr.DecodeError):
             continue

@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 import pytest
 from tests.viewer.conftest import Page
-from tests.viewer.messages import header
+from tests.viewer.messages import ARM, header
 from tests.viewer.stages import Stage
 from tests.viewer.test_hostile import MESSAGES
 from tests.viewer.test_pages import feed
 
 from tfloom.interfaces.sensor_msgs.msg import CompressedImage, Image
+from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.visualization_msgs.msg import Marker
 from tfloom.node.node import Node
 from tfloom.rosidl.class_search import find_field_class
@@ -164,6 +165,8 @@ def test_any_value_in_any_field_is_drawn_or_is_a_sentence_that_was_foreseen(stag
     stage.move("map", "a", 1.0, 2.0)
     stage.move("a", "b", 1e11, 1e308)
     stage.topics.add(topic, good)
+    if topic == "/joint_states":
+        stage.topics.add("/robot_description", String(data=ARM))
     stage.view.set_display(topic, on=True)
     stage.draw()
     drawn = 0

@@ -734,6 +734,22 @@ Visualization Manager:
     assert read_layout(write(layout_text(layout))) == (layout, [])
 
 
+def test_efforts_of_rviz_are_read_and_written(write: Write) -> None:
+    text = """\
+Visualization Manager:
+  Displays:
+    - {Class: rviz_default_plugins/Effort, Scale: 3, Width: 0.1, Alpha: 0.5, TF Prefix: "",
+       Robot Description: arm/robot_description, Topic: {Value: /joint_states}}
+"""
+    layout, unknown = read_layout(write(text, "effort.rviz"))
+    settings = {"description": "arm/robot_description", "opacity": 0.5, "width": 0.1, "scale": 3.0}
+    assert layout.displays == (DisplayLayout("/joint_states", "", tuple(settings.items()), "Effort"),)
+    assert unknown == []
+    written, missing = rviz_text(layout)
+    assert missing == []
+    assert read_layout(write(written, "again.rviz"))[0].displays == layout.displays
+
+
 def test_property_of_rviz_without_a_counterpart_is_named_unless_it_changes_nothing(write: Write) -> None:
     text = CLOUD_OF_RVIZ.replace("Position Transformer: XYZ", "Position Transformer: XYZW\n      Glow: 3")
     _, unknown = read_layout(write(text, "all.rviz"))

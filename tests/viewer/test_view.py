@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tests.viewer.messages import camera_info, cloud, depth_image, header, marker, pose, wrench
+from tests.viewer.messages import ARM, camera_info, cloud, depth_image, efforts, header, marker, pose, wrench
 from tests.viewer.stages import Stage
 
 from tfloom.interfaces.geometry_msgs.msg import Point, PoseStamped, PoseWithCovariance, WrenchStamped
@@ -634,6 +634,42 @@ def test_depth_cloud_reads_its_info_only_while_it_is_shown_and_looked_at(
     feed.read(opened("/cam/depth"))
     add(4.0, 2)
     assert depth(stage) == [[-0.5, 0.0, 2.0]]
+
+
+def effort_lengths(stage: Stage) -> list[float]:
+    """Return how far the arrows of the rail's efforts go along its axis."""
+    stage.draw()
+    nodes = [node for node in stage.drawn("/joint_states") if node.visible]
+    return [round(float(node.vertices[:, 1].max()), 3) for node in nodes]
+
+
+def test_efforts_are_those_of_the_robot_that_is_described_now(stage: Stage) -> None:
+    stage.move("map", "b", 1.0, 2.0)
+    stage.topics.add("/joint_states", efforts(rail=2.0))
+    stage.view.set_display("/joint_states", on=True)
+    stage.draw()
+    assert stage.status("/joint_states") == (
+        "the effort can't be drawn: nobody publishes its robot description, /robot_description"
+    )
+    stage.topics.add("/robot_description", String(data=ARM))
+    assert effort_lengths(stage) == [0.65]
+    stage.topics.add("/robot_description", String(data=ARM.replace('effort="4"', 'effort="2"')))
+    assert effort_lengths(stage) == [1.3]
+    stage.topics.add("/arm/robot_description", String(data=ARM.replace('effort="4"', 'effort="1"')))
+    name = "arm/robot_description"
+    stage.view.command({"op": "set", "topic": "/joint_states", "setting": "description", "value": name})
+    assert effort_lengths(stage) == [2.6]
+    assert "/robot_description" not in stage.topics.logs
+    stage.view.command({"op": "set", "topic": "/joint_states", "setting": "description", "value": "none"})
+    assert effort_lengths(stage) == []
+    assert stage.status("/joint_states").endswith("nobody publishes its robot description, /none")
+    stage.view.set_display("/joint_states", on=False)
+    assert stage.topics.logs == {}
+    stage.view.set_display("/joint_states", on=True)
+    stage.topics.add("/joint_states", efforts(rail=2.0))
+    stage.topics.add("/robot_description", String(data=ARM))
+    assert effort_lengths(stage) == [0.65]
+    assert stage.reports == []
 
 
 def test_axes_and_grid_need_no_topic(stage: Stage) -> None:

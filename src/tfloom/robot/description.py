@@ -81,6 +81,8 @@ class Joint(NamedTuple):
     """Range of the safety controller, without the ends that are not given, which are infinite."""
     mimic: Mimic | None = None
     """What it follows; None if it moves by itself."""
+    effort_limit: float | None = None
+    """Its greatest effort [N m] or [N]; None if none is given."""
 
 
 class Description(NamedTuple):

@@ -108,6 +108,7 @@ def _joint(element: Element, links: dict[str, int]) -> Joint:
         limit=_limit(element, kind, what),
         soft_limit=_soft_limit(element, what),
         mimic=_mimic(element, kind, what),
+        effort_limit=_effort_limit(element, what),
     )
 
 
@@ -144,6 +145,11 @@ def _limit(element: Element, kind: str, what: str) -> Limit | None:
     for attribute in ("effort", "velocity"):
         number(limit, attribute, None, f"<limit> of {what}")
     return Limit(number(limit, "lower", 0.0, what), number(limit, "upper", 0.0, what))
+
+
+def _effort_limit(element: Element, what: str) -> float | None:
+    limit = element.first("limit")
+    return None if limit is None else number(limit, "effort", None, f"<limit> of {what}")
 
 
 def _soft_limit(element: Element, what: str) -> Limit | None:

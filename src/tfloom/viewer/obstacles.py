@@ -58,6 +58,7 @@ THINGS = {
     "Polygon": "the polygon",
     "Wrench": "the wrench",
     "TwistStamped": "the twist",
+    "Effort": "the effort",
     "Turtle": "the turtle",
     "RobotModel": "a link",
     "Grid": "the grid",

@@ -22,7 +22,7 @@ from tfloom.tf2_tools.top.rows import Health, Rates, Row, rows_of
 from tfloom.tf2_tools.watch.model import stored_name
 from tfloom.viewer.displays.camera_info import CameraDisplay, images_of
 from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
-from tfloom.viewer.displays.kinds import DEPTH_CLOUD, INTERACTIVE, LABELS, Kind, kind_of, kinds_of
+from tfloom.viewer.displays.kinds import INTERACTIVE, LABELS, PAIRED, Kind, kind_of, kinds_of
 from tfloom.viewer.displays.robot_model import RobotDisplay
 from tfloom.viewer.displays.settings import FRAME_SETTINGS, SettingError, to_file, usual_values
 from tfloom.viewer.extents import Extent, extent_of
@@ -392,10 +392,10 @@ class SharedView:
         return feed
 
     def _feed_of(self, kind: Kind, topic: str, cursor: Cursor) -> Feed:
-        if kind is DEPTH_CLOUD:
-            from tfloom.viewer.depth_feed import DepthFeed
+        if kind.label in PAIRED:
+            from tfloom.viewer.paired_feed import PairedFeed
 
-            return DepthFeed(topic, kind, cursor, self.topics)
+            return PairedFeed(topic, kind, cursor, self.topics)
         if kind.label != INTERACTIVE:
             return Feed(topic, kind, cursor)
         if self.station is None:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from tfloom.viewer.displays.camera_info import INFO_TYPE, info_topic_of, pinhole_of
 from tfloom.viewer.displays.point_cloud import MAX_POINTS, PointsDisplay
 from tfloom.viewer.pictures import pixel_table
 from tfloom.viewer.shapes import DisplayError, Placed
@@ -27,14 +28,29 @@ class DepthCloudDisplay(PointsDisplay):
     """Shows a `sensor_msgs/msg/Image` of depths, in the image's frame: x to the right, y down, z forward.
 
     Attributes:
-        camera: How the camera sees, if that is known.
-        absence: Why not, if it isn't.
+        partner: How the camera sees; None: that is not known.
+        absence: Why not.
     """
+
+    partner_type = INFO_TYPE
+    partner_name = "camera info"
 
     def __init__(self, settings: Values) -> None:
         super().__init__(settings)
-        self.camera: Pinhole | None = None
+        self.partner: Pinhole | None = None
         self.absence = "its camera info is not known"
+
+    def partner_topic(self, topic: str) -> str:
+        """Return the topic of the camera info: the one beside the image."""
+        return info_topic_of(topic)
+
+    def partner_of(self, message: Any) -> Pinhole:
+        """Return how the camera of a camera info sees.
+
+        Raises:
+            DisplayError: it is not calibrated.
+        """
+        return pinhole_of(message)
 
     def shapes_of(self, message: Any) -> list[Placed]:
         """Return a point for each pixel that has a depth: one of zero, or that is not finite, is none.
@@ -49,15 +65,16 @@ class DepthCloudDisplay(PointsDisplay):
             )
         kind, unit_m = DEPTHS[message.encoding]
         table = pixel_table(message, kind, 1)[:, :, 0]
-        if self.camera is None:
+        camera = self.partner
+        if camera is None:
             raise DisplayError(self.absence)
         height, width = table.shape
-        if (width, height) != (self.camera.width, self.camera.height):
+        if (width, height) != (camera.width, camera.height):
             raise DisplayError(
-                f"it has {width} by {height} pixels, and its camera info is of {self.camera.width} by "
-                f"{self.camera.height}"
+                f"it has {width} by {height} pixels, and its camera info is of {camera.width} by "
+                f"{camera.height}"
             )
-        return self.drawn(_points(table, unit_m, self.camera), {}, message.header)
+        return self.drawn(_points(table, unit_m, camera), {}, message.header)
 
 
 def _points(table: NDArray[Any], unit_m: float, camera: Pinhole) -> NDArray[np.float32]:

@@ -20,6 +20,7 @@ __all__ = [
     "Display",
     "KeepingDisplay",
     "Latest",
+    "PairedDisplay",
     "are_drawable",
     "color_of",
     "finite_points",
@@ -75,6 +76,29 @@ class KeepingDisplay(Display, Protocol):
 
     def restore(self, saved: Any) -> None:
         """Know what was saved, and nothing else."""
+
+
+class PairedDisplay(Display, Protocol):
+    """Shows messages by what those of a second topic say."""
+
+    partner_type: str
+    """The type of the second topic."""
+    partner_name: str
+    """What its messages are, for sentences."""
+    partner: Any
+    """What the last one says; None: that is not known."""
+    absence: str
+    """Why not."""
+
+    def partner_topic(self, topic: str) -> str:
+        """Return the second topic for one that is shown."""
+
+    def partner_of(self, message: Any) -> Any:
+        """Return what a message of the second topic says; what is equal changes nothing.
+
+        Raises:
+            DisplayError: it can't be used.
+        """
 
 
 class Latest:

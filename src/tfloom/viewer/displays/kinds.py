@@ -12,6 +12,7 @@ from tfloom.viewer.displays.settings import (
     AXES_SETTINGS,
     CELLS_SETTINGS,
     CLOUD_SETTINGS,
+    EFFORT_SETTINGS,
     FRAME_SETTINGS,
     GRID_SETTINGS,
     INTERACTIVE_SETTINGS,
@@ -36,11 +37,11 @@ if TYPE_CHECKING:
     from tfloom.viewer.displays.settings import Setting, Values
 
 __all__ = [
-    "DEPTH_CLOUD",
     "INTERACTIVE",
     "KEPT_TYPES",
     "KINDS",
     "LABELS",
+    "PAIRED",
     "ROBOT",
     "UPDATE_SUFFIX",
     "Kind",
@@ -103,6 +104,7 @@ KINDS = {
     "geometry_msgs/msg/PolygonStamped": Kind("Polygon", "poses", "shapes_of_polygon", POLYGON_SETTINGS),
     "geometry_msgs/msg/WrenchStamped": Kind("Wrench", "wrench", "shapes_of_wrench", WRENCH_SETTINGS),
     "geometry_msgs/msg/TwistStamped": Kind("TwistStamped", "wrench", "shapes_of_twist", TWIST_SETTINGS),
+    "sensor_msgs/msg/JointState": Kind("Effort", "wrench", "EffortDisplay", EFFORT_SETTINGS),
     "turtlesim/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
     "turtlesim_msgs/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
 }
@@ -111,6 +113,8 @@ KINDS = {
 DEPTH_CLOUD = Kind("DepthCloud", "depth_cloud", "DepthCloudDisplay", CLOUD_SETTINGS)
 FURTHER_KINDS: Mapping[str, tuple[Kind, ...]] = MappingProxyType({"sensor_msgs/msg/Image": (DEPTH_CLOUD,)})
 """What also shows messages of a type, where that is asked for."""
+PAIRED = frozenset((DEPTH_CLOUD.label, "Effort"))
+"""Labels of displays that need a second topic."""
 
 ROBOT = Kind("RobotModel", "robot_model", "RobotDisplay", ROBOT_SETTINGS)
 PLAIN = (

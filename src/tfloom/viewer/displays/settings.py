@@ -14,6 +14,7 @@ __all__ = [
     "AXES_SETTINGS",
     "CELLS_SETTINGS",
     "CLOUD_SETTINGS",
+    "EFFORT_SETTINGS",
     "FRAME_SETTINGS",
     "GRID_SETTINGS",
     "INTERACTIVE_SETTINGS",
@@ -513,6 +514,15 @@ TWIST_SETTINGS: Mapping[str, Setting] = {
     "history": _history("History Length"),
 }
 """As those of wrenches, for 1 m/s and 1 rad/s."""
+
+EFFORT_SETTINGS: Mapping[str, Setting] = {
+    "description": TextSetting("robot_description", "Robot Description"),
+    "opacity": _opacity(),
+    "width": NumberSetting(0.02, "Width", 1e-4, 1e3),
+    "scale": NumberSetting(1.0, "Scale"),
+    "history": _history("History Length"),
+}
+"""The scale is the length of the arrow of an effort that is at its limit."""
 
 MARKER_SETTINGS: Mapping[str, Setting] = {"hidden_namespaces": NamesSetting((), "Namespaces")}
 

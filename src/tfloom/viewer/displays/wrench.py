@@ -1,4 +1,4 @@
-"""Wrenches and twists: an arrow for each vector, and a ring around that of the one that turns, which shows the way."""
+"""Wrenches, twists and efforts: an arrow for each, and a ring around that of what turns, which shows the way."""
 
 from __future__ import annotations
 
@@ -7,16 +7,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tfloom.viewer.displays.display import MAX_COORDINATE_M, stamp_of
+from tfloom.robot.description import MOVING
+from tfloom.robot.urdf import parse_urdf
+from tfloom.robot.urdf_faults import UrdfError
+from tfloom.viewer.displays.display import MAX_COORDINATE_M, Latest, stamp_of
 from tfloom.viewer.displays.solids import merged, tube
-from tfloom.viewer.shapes import DisplayError, Placed
+from tfloom.viewer.shapes import Color, DisplayError, Placed
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from tfloom.viewer.displays.settings import Values
 
-__all__ = ["shapes_of_twist", "shapes_of_wrench"]
+__all__ = ["EffortDisplay", "shapes_of_twist", "shapes_of_wrench"]
 
 SHAFT = 0.05
 HEAD = 0.1
@@ -28,6 +31,12 @@ RING_HEAD_LENGTH = 0.1
 """Length of the head of a ring, for a width of 1 [m]."""
 RING_ANGLES_RAD = np.linspace(0.25 * math.pi, 2.0 * math.pi, 29)
 """Where the ring's parts begin: an eighth of it is open, so that its head is seen [rad]."""
+
+
+MAX_JOINTS = 2000
+"""Number of joints whose efforts are drawn."""
+WIDTH_PER_SHAFT = 0.5 / SHAFT
+"""Width for a shaft that is 1 m thick [m]."""
 
 
 class TwinArrows(NamedTuple):
@@ -138,3 +147,95 @@ def _ring(vector: _Vector, width: float) -> NDArray[np.float64]:
     outwards = np.vstack([outwards[0], outwards, outwards[-1], outwards[-1]])
     radii = width * np.array((0.0, *([RING] * len(RING_ANGLES_RAD)), HEAD, 0.0))
     return tube(centres, outwards, np.tile(along, (len(centres), 1)), radii)
+
+
+class _Motor(NamedTuple):
+    """A joint whose effort is drawn."""
+
+    name: str
+    link: str
+    """The link that it carries, whose frame is the joint's."""
+    axis: tuple[float, float, float]
+    limit: float
+    """[N m] or [N]."""
+    turns: bool
+
+
+class EffortDisplay(Latest):
+    """Shows the efforts of a `sensor_msgs/msg/JointState` along the axes of a robot's joints.
+
+    A joint without a limit of its effort, and an effort that is not a number, are left out.
+
+    Attributes:
+        partner: The joints of the robot; None: they are not known.
+        absence: Why not.
+    """
+
+    partner_type = "std_msgs/msg/String"
+    partner_name = "robot description"
+
+    def __init__(self, settings: Values) -> None:
+        super().__init__(settings)
+        self.partner: list[_Motor] | None = None
+        self.absence = "its robot description is not known"
+
+    def partner_topic(self, topic: str) -> str:
+        """Return the topic of the robot's description, as it is set."""
+        name = str(self.settings["description"])
+        return name if name.startswith("/") else f"/{name}"
+
+    def partner_of(self, message: Any) -> list[_Motor]:
+        """Return the joints of a robot that have a limit of their effort.
+
+        Raises:
+            DisplayError: it is not a URDF, or no joint has one.
+        """
+        try:
+            joints = parse_urdf(message.data).joints.values()
+        except UrdfError as error:
+            raise DisplayError(f"it is not a URDF: {error}") from None
+        motors = [
+            _Motor(joint.name, joint.child, joint.axis, joint.effort_limit, joint.type != "prismatic")
+            for joint in joints
+            if joint.type in MOVING and joint.effort_limit is not None and joint.effort_limit > 0.0
+        ]
+        if not motors:
+            raise DisplayError("none of its joints has a limit of its effort")
+        return motors[:MAX_JOINTS]
+
+    def shapes_of(self, message: Any) -> list[Placed]:
+        """Return an arrow for each effort, and a ring around those of joints that turn.
+
+        Raises:
+            DisplayError: it has no efforts of the robot's joints, one can't be drawn, or the robot is not known.
+        """
+        if self.partner is None:
+            raise DisplayError(self.absence)
+        if not len(message.effort) or len(message.effort) != len(message.name):
+            raise DisplayError(f"it has {len(message.effort)} efforts for {len(message.name)} joints")
+        efforts = dict(zip(message.name, message.effort, strict=True))
+        driven = [motor for motor in self.partner if motor.name in efforts]
+        if not driven:
+            raise DisplayError("none of its joints is one of the robot with a limit of its effort")
+        placed = []
+        for motor in driven:
+            placed += self._drawn(motor, float(efforts[motor.name]), stamp_of(message.header))
+        return placed
+
+    def _drawn(self, motor: _Motor, effort: float, stamp_ns: int) -> list[Placed]:
+        share = effort / motor.limit
+        length, width = abs(share) * self.settings["scale"], self.settings["width"]
+        if (1.0 + HEAD_LENGTH) * length >= MAX_COORDINATE_M:
+            raise DisplayError(f"the arrow of {motor.name[:80]} is longer than {MAX_COORDINATE_M:g} m")
+        if not length > width:  # nor is what is not a number
+            return []
+        vector = _Vector(length, _axes_along(math.copysign(1.0, share) * np.array(motor.axis)))
+        wide = width * WIDTH_PER_SHAFT
+        tubes = [_arrow(vector, wide), *([_ring(vector, wide)] if motor.turns else [])]
+        return [Placed(merged(tubes, _warning(abs(share)), self.settings["opacity"]), motor.link, stamp_ns)]
+
+
+def _warning(share: float) -> Color:
+    """Return the colour of a share of a limit: from green by yellow to red."""
+    part = min(share, 1.0)
+    return round(255 * min(2.0 * part, 1.0)), round(255 * min(2.0 - 2.0 * part, 1.0)), 0
