@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from typing import Any
 from urllib.parse import urlsplit
 
+import numpy as np
 import pytest
 from tests.conftest import wait_until
 from tests.viewer.conftest import Page
@@ -16,6 +17,7 @@ from tests.viewer.scenes import Scene
 from tfloom.interfaces.geometry_msgs.msg import TransformStamped
 from tfloom.node.node import Node
 from tfloom.tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+from tfloom.viewer.camera import Camera, projected
 from tfloom.viewer.layout.layout import Layout
 from tfloom.viewer.program import Viewer
 
@@ -229,9 +231,89 @@ def test_layout_has_the_camera_and_the_views_and_new_pages_look_so(
     assert second.state["views"] == ["plan"]
 
 
+def at(camera: Camera, x: float, y: float, z: float = 0.0) -> list[float]:
+    """Return where a camera sees a place."""
+    found: list[float] = projected(camera, np.array([(x, y, z)]))[0, :2].tolist()
+    return found
+
+
+def test_two_clicks_measure_a_third_clears_and_two_more_measure_again(
+    viewer: Viewer, page: Page, open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    open_scene(page)
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    camera = viewer._server.camera(page.name)
+    assert camera is not None
+    client = viewer._server.client(page.name)
+    assert client is not None
+    for _ in range(2):
+        said = page.ask("done", op="measure", at=at(camera, 1.0, 1.0))
+        assert said == "from near: click on where to measure to"
+        said = page.ask("done", op="measure", at=at(camera, -3.0, -2.0))
+        assert said == "5.000 m from near to far: dx -4.000, dy -3.000, dz 0.000 m in map"
+        (told,) = [answer["measured"] for answer in page.answers]
+        assert told == {"places": [[1.0, 1.0, 0.0], [-3.0, -2.0, 0.0]], "distance_m": 5.0}
+        assert client.scene.get_handle_by_name("/measure/line") is not None
+        page.ask("measured", op="measure", at=at(camera, 1.0, 1.0))
+        assert page.answers[0]["measured"]["places"] == []
+        assert client.scene.get_handle_by_name("/measure/line") is None
+    page.ask("done", op="measure", at=at(camera, 1.0, 1.0))
+    page.send(op="end_measure")
+    page.wait_for(lambda: viewer._scenes._pages[page.name].measure is None)
+    assert client.scene.get_handle_by_name("/measure/ends") is None
+    said = page.ask("done", op="measure", at=at(camera, 2.0, 3.0))
+    assert said == "from the floor: click on where to measure to"
+    page.answers.clear()
+    page.send(op="fixed_frame", frame="near")
+    assert page.answer("done") == "the fixed frame is another one: nothing is measured"
+    assert viewer._scenes._pages[page.name].measure is None
+
+
+def test_page_whose_scene_is_loaded_anew_or_that_closes_while_it_measures(
+    viewer: Viewer, open_page: Callable[[Viewer], Page], open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    page, other = open_page(viewer), open_page(viewer)
+    scene = open_scene(page)
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    camera = viewer._server.camera(page.name)
+    assert camera is not None
+    page.ask("done", op="measure", at=at(camera, 1.0, 1.0))
+    scene.abort()
+    open_scene(page)
+    page.wait_for(lambda: viewer._scenes._pages[page.name].measure is None)
+    assert page.ask("done", op="measure", at=at(camera, 1.0, 1.0)).startswith("from near")
+    page.socket.close()
+    wait_until(lambda: page.name not in viewer._scenes._pages, what="the end of the page")
+    open_scene(other)
+    assert other.ask("done", op="measure", at=at(camera, -3.0, -2.0)).startswith("from far")
+
+
+def test_focus_turns_the_camera_to_what_is_clicked_and_leaves_it_where_it_is(
+    viewer: Viewer, page: Page, open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    open_scene(page)
+    page.wait_for(lambda: viewer.view.poses.index_of("near") >= 0)
+    camera = viewer._server.camera(page.name)
+    assert camera is not None
+    assert page.ask("done", op="focus", at=at(camera, 1.0, 1.0)) == "the camera turns about near"
+    view_point = viewer._server.view_point(page.name)
+    assert view_point is not None
+    assert (*view_point.position, *view_point.look_at) == pytest.approx((0.0, 0.0, 10.0, 1.0, 1.0, 0.0))
+
+
+def test_nothing_is_measured_in_the_sky(
+    viewer: Viewer, page: Page, open_scene: Callable[..., Scene], broadcaster: Any
+) -> None:
+    open_scene(page, wxyz=(1.0, 0.0, 0.0, 0.0), look_at=(0.0, 0.0, 20.0))  # it looks up
+    for operation in ("measure", "focus"):
+        assert page.ask("error", op=operation, at=[0.5, 0.5]) == "there is nothing at this place"
+
+
 @pytest.mark.parametrize(
     ("command", "said"),
     [
+        ({"op": "measure", "at": [0.5, 0.5]}, "the scene has not told its camera yet"),
+        ({"op": "focus", "at": [0.5]}, "at has to be two numbers"),
         (
             {"op": "camera", "kind": "fish", "frame": "", "turns": False},
             "the kind of a camera is one of orbit, top, first_person",

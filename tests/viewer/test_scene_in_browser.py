@@ -342,3 +342,69 @@ def test_saved_view_is_shown_again_and_is_in_the_layout(
     again = viewer._server.view_point(viewer._server.pages()[0])
     assert again is not None
     assert (*again.position, *again.look_at) == pytest.approx((*first.position, *first.look_at), abs=0.01)
+
+
+def click_at(tab: Tab, across: float, down: float) -> None:
+    tab.page.mouse.click(*move_to(tab, across, down))
+
+
+def test_measure_gives_a_known_distance_by_a_key_and_escape_clears_it(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab]
+) -> None:
+    broadcaster = StaticTransformBroadcaster(node)
+    broadcaster.sendTransform([transform("left", -2.0, 1.0), transform("right", 2.0, 4.0, 1.0)])
+    tab = open_tab("&camera=0,-8,7&look_at=0,2,0")
+    tab.page.evaluate("send({ op: 'names', on: false })")
+    wait_until(lambda: len(viewer.view.poses.names) == 3, what="the frames")
+
+    def cyan() -> int:
+        pixels = tab.pixels()
+        return int(((pixels[:, :, 0] < 140) & (pixels[:, :, 1] > 190) & (pixels[:, :, 2] > 210)).sum())
+
+    def place(name: str) -> list[float]:
+        camera = viewer._server.camera(viewer._server.pages()[0])
+        assert camera is not None
+        found: list[float] = projected(
+            camera, viewer.view.poses.positions[[viewer.view.poses.index_of(name)]]
+        )[0].tolist()
+        return found[:2]
+
+    before, said = cyan(), "5.099 m from left to right: dx 4.000, dy 3.000, dz 1.000 m in map"
+    for _ in range(2):
+        tab.page.keyboard.press("r")
+        wait_until(lambda: tab.page.is_visible("#pad"), what="the tool")
+        click_at(tab, *place("left"))
+        wait_until(lambda: "from left" in tab.text("#message"), what="the first place")
+        click_at(tab, *place("right"))
+        wait_until(lambda: tab.text("#message") == said, what="the distance")
+        wait_until(lambda: cyan() > before + 40, what="the ends and the line")
+        assert len(boxes_of(tab.pixels())) == 1  # the distance in the scene
+        tab.keep("measure")
+        tab.page.keyboard.press("Escape")
+        wait_until(lambda: cyan() <= before + 5 and tab.text("#message") == "", what="nothing")
+        assert tab.page.is_hidden("#pad")
+    tab.page.keyboard.press("?")
+    assert "measure" in tab.text("#key-rows")
+
+
+def test_focus_on_a_click_sets_what_the_camera_turns_about(
+    node: Node, viewer: Viewer, open_tab: Callable[..., Tab]
+) -> None:
+    car, tab = Car(node), open_tab("&camera=-4,-8,6&look_at=0,0,0")
+    car.show(tab)
+    tab.page.keyboard.press("k")
+    wait_until(lambda: tab.page.is_visible("#pad"), what="the tool")
+    click_at(tab, *at_red(tab))
+    wait_until(lambda: "the camera turns about" in tab.text("#message"), what="the camera")
+    wait_until(lambda: np.abs(np.subtract(at_red(tab), 0.5)).max() < 0.06, what="the car in the middle")
+    assert looks_at(viewer) == pytest.approx([0.0, 4.0, 0.0], abs=0.8)
+    assert tab.page.is_hidden("#pad")
+    # The car stays there when the user turns the camera.
+    x, y = move_to(tab, 0.5, 0.8)
+    tab.page.mouse.down()
+    tab.page.mouse.move(x + 80, y, steps=5)
+    tab.page.mouse.up()
+    view_point = viewer._server.view_point(viewer._server.pages()[0])
+    wait_until(lambda: viewer._server.view_point(viewer._server.pages()[0]) == view_point, what="rest")
+    assert np.abs(np.subtract(at_red(tab), 0.5)).max() < 0.06
+    tab.keep("focus")

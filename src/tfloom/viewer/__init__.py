@@ -8,8 +8,8 @@
 - obstacles: why it shows nothing, as a sentence
 - shared_state: what all pages share, and what follows of it
 - drawing, scene, scene_server, viser_private: viser's scene and server
-- page_scenes, page_camera, labels, picking: what of the scene is each page's own: how its camera moves, which names it
-  shows, and what its pointer is at
+- page_scenes, page_camera, labels, picking, measuring: what of the scene is each page's own: how its camera moves,
+  which names it shows, what its pointer is at, and what it measures
 - mesh_files, mesh_places, extents: files of meshes and where they are; how far shapes reach, for cameras
 - joints, published_joints: joints that pages move, those of a file or those that this process publishes
 - described: a robot of a file, without a graph

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from tfloom.viewer.camera import Camera, projected
+from tfloom.viewer.camera import Camera, floor_point, projected
 from tfloom.viewer.displays.display import shown_text
 from tfloom.viewer.extents import Extent, extent_of, view_of
 from tfloom.viewer.labels import Chosen, chosen_labels, width_em
 from tfloom.viewer.layout.layout import CAMERA_KINDS, SavedView, ViewPoint
+from tfloom.viewer.measuring import Measure, Place
 from tfloom.viewer.page_camera import (
     Following,
     eye,
@@ -38,13 +39,28 @@ if TYPE_CHECKING:
 
 __all__ = ["SCENE_COMMANDS", "PageScenes"]
 
-SCENE_COMMANDS = frozenset(("pointer", "look", "held", "camera", "save_view", "show_view", "forget_view"))
+SCENE_COMMANDS = frozenset(
+    (
+        "pointer",
+        "look",
+        "held",
+        "camera",
+        "save_view",
+        "show_view",
+        "forget_view",
+        "measure",
+        "end_measure",
+        "focus",
+    )
+)
 """What a page asks of its own scene."""
 LABELS_S = 0.15
 """Period at which it is chosen anew which names are shown [s]."""
 USUAL_PX = (800.0, 480.0)
 """Size of the picture of a page that has not told it [pixels]."""
 MAX_PX = 100_000.0
+MIN_FOCUS_M = 1e-3
+"""A camera that is nearer to a place can't look at it [m]."""
 MAX_NAME = 64
 """Length of a view's name."""
 FRAME_AXES = 2.0
@@ -78,6 +94,7 @@ class _PageScene:
         """Where the camera stands in the place that it follows; None: where it is when it begins."""
         self.is_held = False
         """Whether the page's user moves the camera."""
+        self.measure: Measure | None = None
         self.told: dict[str, Any] = {}
         """What the page knows of its camera."""
         self.pointer: _Spot | None = None
@@ -125,6 +142,9 @@ class PageScenes:
             "save_view": self._save_view,
             "show_view": self._show_view,
             "forget_view": self._forget_view,
+            "measure": self._add_to_measure,
+            "end_measure": self._end_measure,
+            "focus": self._focus,
         }
         do[operation](page, command)
 
@@ -173,6 +193,10 @@ class PageScenes:
             own = self._pages.setdefault(page, _PageScene())
             if own.client is not client:  # a scene that was loaded anew has none of them
                 own.client, own.labels, own.chosen, own.asked = client, {}, {}, None
+            if own.measure is not None and own.measure.scene is not client.scene:
+                own.measure = None
+            if own.measure is not None and own.measure.frame != self._view.fixed_frame:
+                self._end_measure(page, {}, "the fixed frame is another one: nothing is measured")
             self._try("names of frames can't be shown", partial(self._choose, page, own))
         of_pages = [self._pages[page] for page in shown]
         places = self._scene.places({name for own in of_pages for name in own.chosen})
@@ -294,6 +318,54 @@ class PageScenes:
         fitted = view_of(self._extent_of(met), camera.fov_rad, camera.aspect, toward)
         if not self.look(page, fitted):
             raise PageError("the scene is gone")
+
+    def _place_at(self, page: str, spot: _Spot) -> Place:
+        """Return the place that a place of a page's picture shows.
+
+        Raises:
+            PageError: there is nothing.
+        """
+        camera, _ = self._camera(page)
+        met = self._met(page, camera, spot)
+        if isinstance(met, str):
+            x, y, z = self._view.poses.positions[self._view.poses.index_of(met)].tolist()
+            return Place((x, y, z), met)
+        if met is not None:
+            return Place(met.point, met.display)
+        floor = floor_point(camera, spot.across, spot.down)
+        if floor is None:
+            raise PageError("there is nothing at this place")
+        return Place((*floor, 0.0), "the floor")
+
+    def _add_to_measure(self, page: str, command: Mapping[str, Any]) -> None:
+        place, client = self._place_at(page, _spot(command)), self._server.client(page)
+        own = self._pages.setdefault(page, _PageScene())
+        if client is None:
+            raise PageError("the scene is gone")
+        if own.measure is None or own.measure.scene is not client.scene:
+            own.measure = Measure(client.scene, self._view.fixed_frame)
+        said = own.measure.add(place)
+        told = {
+            "places": [list(kept.point) for kept in own.measure.places],
+            "distance_m": own.measure.distance_m,
+        }
+        self._answer(page, {"measured": told, "done": said})
+
+    def _end_measure(self, page: str, _: Mapping[str, Any], said: str = "") -> None:
+        own = self._pages.get(page)
+        if own is not None and own.measure is not None:
+            own.measure.clear()
+            own.measure = None
+            self._answer(page, {"measured": {"places": [], "distance_m": 0.0}, "done": said})
+
+    def _focus(self, page: str, command: Mapping[str, Any]) -> None:
+        """Let a page's camera turn about what is at a place of its picture."""
+        place, (_, now) = self._place_at(page, _spot(command)), self._camera(page)
+        if math.dist(now.position, place.point) < MIN_FOCUS_M:
+            raise PageError("the camera is there")
+        if not self.look(page, ViewPoint(now.position, place.point)):
+            raise PageError("the scene is gone")
+        self._answer(page, {"done": f"the camera turns about {shown_text(place.name)}"})
 
     def _camera(self, page: str) -> tuple[Camera, ViewPoint]:
         camera, view_point = self._server.camera(page), self._server.view_point(page)

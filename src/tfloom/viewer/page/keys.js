@@ -1,12 +1,13 @@
 // Keys for what the buttons do, the list of them, and what a scene without anything says.
 "use strict";
 
-const TOOL_KEYS = { KeyM: "", KeyG: "goal", KeyP: "initial", KeyC: "point", KeyV: "drive" };
+const TOOL_KEYS = { KeyM: "", KeyG: "goal", KeyP: "initial", KeyC: "point", KeyV: "drive", KeyR: "measure", KeyK: "focus" };
 const KEY_TEXTS = [
   ["M", "move: turn, shift and zoom"], ["G", "goal pose"], ["P", "initial pose"], ["C", "point"], ["V", "drive"],
   ["arrows, W A S D", "drive ahead, back and around, while V is chosen"], ["F", "see all that is shown"],
   ["double click", "see all of what is at this place"],
   ["O, T, I", "camera: orbit, from above, out of the selected frame"], ["L", "follow the selected frame; again: and its yaw; again: none"],
+  ["R", "measure: two clicks; a third one or Esc clears"], ["K", "click on what the camera is to turn about"],
   ["B", "cameras and saved views"],
   ["space", "play or pause a recording; the newest time of a graph"], ["Esc", "select no frame, and move"], ["?", "this list"],
 ];

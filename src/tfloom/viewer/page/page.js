@@ -385,7 +385,8 @@ let pressed = null;
 function chooseTool(name) {
   tool = name;
   for (const button of document.querySelectorAll("#tools [data-tool]")) button.classList.toggle("on", button.dataset.tool === name);
-  const isOnFloor = ["goal", "initial", "point"].includes(name);
+  const isOnFloor = ["goal", "initial", "point", "measure", "focus"].includes(name);
+  if (name !== "measure") send({ op: "end_measure" });
   $("pad").hidden = !isOnFloor;
   if (isOnFloor) layPad();
   $("stick").hidden = $("drive-topic-box").hidden = name !== "drive";
@@ -550,7 +551,9 @@ $("pad").addEventListener("pointermove", (event) => { if (pressed) drawPad(press
 for (const name of ["pointercancel", "lostpointercapture"]) $("pad").addEventListener(name, () => { pressed = null; drawPad(null, null); });
 $("pad").addEventListener("pointerup", (event) => {
   if (!pressed) return;
-  send({ op: "floor", tool, from: pressed, to: padPoint(event) });
+  if (tool === "measure" || tool === "focus") send({ op: tool, at: padPoint(event) });
+  else send({ op: "floor", tool, from: pressed, to: padPoint(event) });
+  if (tool === "focus") chooseTool("");
   pressed = null;
   drawPad(null, null);
 });
