@@ -19,15 +19,17 @@ from tests.viewer.conftest import Page
 from tests.viewer.messages import ARM, header
 from tests.viewer.stages import Stage
 from tests.viewer.test_hostile import MESSAGES
+from tests.viewer.test_interactive_markers import moved, thing, update
 from tests.viewer.test_pages import feed
 
 from tfloom.interfaces.sensor_msgs.msg import CompressedImage, Image
 from tfloom.interfaces.std_msgs.msg import String
-from tfloom.interfaces.visualization_msgs.msg import Marker
+from tfloom.interfaces.visualization_msgs.msg import InteractiveMarkerUpdate, Marker
 from tfloom.node.node import Node
 from tfloom.rosidl.class_search import find_field_class
 from tfloom.rosidl.parse import parse_type
 from tfloom.rosidl.spec import FLOATS, INTEGER_RANGES, STRINGS
+from tfloom.viewer.displays.interactive_markers import InteractiveMarkersDisplay, handle_of, rotation_of
 from tfloom.viewer.displays.kinds import KINDS, ROBOT_TYPE
 from tfloom.viewer.forms.sending import FORM_COMMANDS
 from tfloom.viewer.pictures import picture_of
@@ -198,9 +200,52 @@ def test_any_value_in_any_field_is_drawn_or_is_a_sentence_that_was_foreseen(stag
 def test_each_kind_has_its_messages() -> None:
     fuzzed = {message._TYPE_NAME for message in MESSAGES.values()} | {
         Marker._TYPE_NAME,
+        InteractiveMarkerUpdate._TYPE_NAME,  # by the next test, because its feed takes more than its topic
         "turtlesim_msgs/msg/Pose",
     }
     assert {kind for kind, made in KINDS.items() if made.module} | {ROBOT_TYPE} == fuzzed
+
+
+def test_any_interactive_marker_has_parts_or_a_sentence() -> None:
+    chance = random.Random(11)
+    good = update(0, markers=[thing("a"), thing("b")], poses=[moved("a", 1.0)], erases=["b"])
+    display = InteractiveMarkersDisplay({"descriptions": True, "axes": True})
+    display.initialize(0, [thing("a")])
+    parts = faults = requests = 0
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for number in range(1, 400):
+            message = mixed(chance, good, random_message(chance, InteractiveMarkerUpdate, 8))
+            if chance.random() < 0.9:
+                message.seq_num, message.type = number, InteractiveMarkerUpdate.UPDATE
+            display.take(message, 0)
+            if display.needs_all:
+                requests += 1
+                display.initialize(number, message.markers)
+            assert not UNFORESEEN.search(display.status), (display.status, message)
+            faults += bool(display.status)
+            for known in display.markers.values():
+                assert 0.0 < known.size_m < 1e6
+                parts += sum(np.isfinite(part.placed.position).all() for part in display.parts_of(known))
+                assert is_finite_or_refused(lambda known=known: known.base.position)
+                assert is_finite_or_refused(
+                    lambda known=known: known.frame_from_marker.apply((1.0, 2.0, 3.0))
+                )
+                for control in known.message.controls:
+                    handle_of(control)
+                    assert is_finite_or_refused(
+                        lambda turned=control: rotation_of(turned).apply((1.0, 2.0, 3.0))
+                    )
+    assert parts > 100
+    assert faults > 5
+    assert requests > 5
+
+
+def is_finite_or_refused(point: Callable[[], Any]) -> bool:
+    try:
+        return bool(np.isfinite(point()).all())
+    except DisplayError:
+        return True
 
 
 def test_any_image_is_a_picture_or_a_sentence() -> None:
