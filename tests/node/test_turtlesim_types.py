@@ -46,8 +46,12 @@ def test_client_of_the_other_type_is_told_the_type(
     assert capfd.readouterr().err == ""
 
 
+@pytest.mark.wire
 @pytest.mark.usefixtures("domain_id")
-def test_command_with_the_other_type_is_told_the_type(start_program: Any) -> None:
+def test_command_with_the_other_type_is_told_the_type(
+    start_program: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("RMW_IMPLEMENTATION")  # the two are programs
     environment = os.environ | {"ROS_DISTRO": "kilted"}
     serve = (
         "import rclpy\nfrom turtlesim.srv import Spawn\nwith rclpy.init():\n    node = rclpy.create_node('new')\n"

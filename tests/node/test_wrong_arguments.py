@@ -176,7 +176,7 @@ ROWS = {
     "Duration.from_msg(1)": "TypeError: Must pass a builtin_interfaces.msg.Duration object, got 1 of class int",
     # Parameters
     "node.declare_parameter(None)": "TypeError: Expected string as name at index 0",
-    "node.declare_parameter('')": "InvalidParameterException: Invalid parameter name",
+    "node.declare_parameter('', 1)": "InvalidParameterException: Invalid parameter name",
     "node.declare_parameter('a', object())": "TypeError: The given value is not one of the allowed types",
     "node.declare_parameter('a', {'a': 1})": "TypeError: DOUBLE_ARRAY, STRING_ARRAY'. It is {'a': 1} of class dict.",
     "node.declare_parameter('a', 1, 'a description')": "TypeError: Expected a ParameterDescriptor as third item",

@@ -15,8 +15,16 @@ if TYPE_CHECKING:
     from tfloom.bag.topic_choice import TopicChoice
 
 
+class _Formatter(argparse.HelpFormatter):
+    """Shows the path as needed, which it is without `-i`."""
+
+    def _format_args(self, action: argparse.Action, default_metavar: str) -> str:
+        return action.dest if action.dest == "bag_path" else super()._format_args(action, default_metavar)
+
+
 def add_path(parser: argparse.ArgumentParser) -> None:
     """Add the bag or bags, the storage, and how much is read ahead."""
+    parser.formatter_class = _Formatter
     parser.add_argument("bag_path", type=conventions.bag_path, nargs="?", help="the bag: a folder, or a file")
     parser.add_argument(
         "-i",
