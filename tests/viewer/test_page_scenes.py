@@ -228,7 +228,7 @@ def test_layout_has_the_camera_and_the_views_and_new_pages_look_so(
     scene = open_scene(second)
     second.wait_for(lambda: own_camera(second).get("kind") == "top")
     scene.wait_for(lambda: scene.camera.get("position", (0.0, 0.0, 0.0))[2] > 40.0)
-    assert second.state["views"] == ["plan"]
+    second.wait_for(lambda: second.state["views"] == ["plan"])
 
 
 def at(camera: Camera, x: float, y: float, z: float = 0.0) -> list[float]:
