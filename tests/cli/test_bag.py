@@ -193,6 +193,50 @@ def test_services_are_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     assert lines.count("Service:           1") == 2
 
 
+def test_sizes_of_topics_are_counted_and_sorted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    writer = BagWriter(tmp_path / "bag")
+    service = writer.add_topic(topic("/add/_service_event", "example_interfaces/srv/AddTwoInts_Event"))
+    small, large = (writer.add_topic(topic(name, "std_msgs/msg/String")) for name in ("/small", "/large"))
+    writer.add_topic(topic("/none", "std_msgs/msg/String"))
+    for number, (channel, size) in enumerate([(service, 10), (small, 10), (large, 1000), (large, 1028)]):
+        writer.push(channel, bytes([0, 1, 0, 0, 0, *bytes(size - 5)]), START_NS + number, START_NS)
+    writer.close()
+    found = transcript.run_here("bag", "info", "--size-contribution", "--sort", "name", "-v", "bag").text
+    names = re.findall(r"Topic: (\S+)", found)
+    assert names == ["/large", "/none", "/small"]
+    assert (
+        "/large | Type: std_msgs/msg/String | Count: 2 | Size Contribution: 2.0 KiB (99.0 %) | Ser" in found
+    )
+    assert "| Count: 1 | Size Contribution: 10 B (0.5 %) |" in found
+    assert "| Count: 0 | Size Contribution: 0 B (0.0 %) |" in found
+    assert "Request Count: 1 | Response Count: 0 | Size Contribution: 10 B (0.5 %) | Serial" in found
+    assert "Contribution" not in transcript.run_here("bag", "info", "-v", "bag").text
+
+
+def test_sizes_of_an_empty_bag_are_zero(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    writer = BagWriter(tmp_path / "bag")
+    writer.add_topic(topic("/none", "std_msgs/msg/String"))
+    writer.close()
+    found = transcript.run_here("bag", "info", "--size-contribution", "bag")
+    assert found.exit_code == 0
+    assert "| Size Contribution: 0 B (0.0 %) |" in found.text
+
+
+def test_sizes_of_a_damaged_file_are_those_of_what_can_be_read(bags: Path) -> None:
+    path = bags / "b1" / "b1_0.mcap"
+    whole = transcript.run_here("bag", "info", "--size-contribution", "b1").text
+    data = bytearray(path.read_bytes())
+    data[len(data) // 4 : len(data) // 4 + 200] = bytes(200)
+    path.write_bytes(data)
+    found = transcript.run_here("bag", "info", "--size-contribution", "b1").text
+    assert "[WARN] [ros2bag]: b1/b1_0.mcap: " in found
+    sizes = [re.findall(r"Size Contribution: ([\d.]+ \w+)", text) for text in (whole, found)]
+    assert len(sizes[1]) == len(sizes[0]) == 3
+    assert sizes[1] != sizes[0]
+
+
 @pytest.fixture
 def chatter(publish: Callable[..., None]) -> None:
     """Publish numbered texts on /chatter, ten a second."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import datetime as dt
 from collections import Counter
 from collections.abc import Callable
+from typing import NamedTuple
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.metadata_from_files import metadata_of, size_of
@@ -29,13 +30,24 @@ ORDERS: dict[str, Callable[[Topic], object]] = {
 """The orders of topics, by name."""
 
 
-def info_text(bag: Bag, *, verbose: bool = False, sort: str = "") -> str:
+class _Contents(NamedTuple):
+    """What is counted by reading messages, by topic."""
+
+    sizes: Counter[str]
+    """The bytes of the messages' data, without any compression."""
+    kinds: dict[str, Counter[int]]
+    """How many service events there are of each kind."""
+
+
+def info_text(bag: Bag, *, verbose: bool = False, sort: str = "", size_contribution: bool = False) -> str:
     """Return the lines of a bag.
 
     Args:
         bag: The bag.
         verbose: Whether requests and responses of services are counted, for which their messages are read.
         sort: A key of `ORDERS`; empty: the order of the metadata.
+        size_contribution: Whether the size of each topic's messages, and its share of all, are in its line; all
+            messages are read for it.
 
     Raises:
         BagError: a file can't be read.
@@ -46,7 +58,9 @@ def info_text(bag: Bag, *, verbose: bool = False, sort: str = "") -> str:
         all_topics.sort(key=ORDERS[sort])  # type: ignore[arg-type]  # each key has one type
     topics = [topic for topic in all_topics if not is_service_event(topic.name, topic.type)]
     services = [topic for topic in all_topics if is_service_event(topic.name, topic.type)]
-    describe = _service_describer(bag, services) if verbose else _service
+    contents = _contents(bag, all_topics if size_contribution else services if verbose else [])
+    counts = _requests_and_responses(contents) if verbose else _event_count
+    size = _size_contribution(contents) if size_contribution else _no_size
     has_messages = metadata.start_ns != NO_TIME_NS
     start_ns = metadata.start_ns if has_messages else 0
     lines = [
@@ -59,9 +73,10 @@ def info_text(bag: Bag, *, verbose: bool = False, sort: str = "") -> str:
         _field("Start", _stamp(start_ns)),
         _field("End", _stamp(start_ns + metadata.duration_ns)),
         _field("Messages", str(metadata.message_count)),
-        _field("Topic information", *map(_topic, topics)),
+        _field("Topic information", *(_topic(topic, size(topic)) for topic in topics)),
         _field("Service", str(len(services))),
-        "Service information: " + "\n                     ".join(map(describe, services)),
+        "Service information: "
+        + "\n                     ".join(_service(topic, counts(topic) + size(topic)) for topic in services),
     ]
     return "\n".join(lines)
 
@@ -94,37 +109,60 @@ def _stamp(stamp_ns: int) -> str:
     return f"{text} ({_seconds(stamp_ns)})"
 
 
-def _topic(topic: Topic) -> str:
+def _topic(topic: Topic, size: str) -> str:
     return (
-        f"Topic: {topic.name} | Type: {topic.type} | Count: {topic.message_count} | "
+        f"Topic: {topic.name} | Type: {topic.type} | Count: {topic.message_count}{size} | "
         f"Serialization Format: {topic.serialization_format}"
     )
 
 
-def _service(topic: Topic) -> str:
-    return _service_line(topic, f"Event Count: {topic.message_count}")
-
-
-def _service_line(topic: Topic, counts: str) -> str:
+def _service(topic: Topic, counts: str) -> str:
     return (
         f"Service: {service_of_event(topic.name)} | Type: {topic.type.removesuffix('_Event')} | {counts} | "
         f"Serialization Format: {topic.serialization_format}"
     )
 
 
-def _service_describer(bag: Bag, services: list[Topic]) -> Callable[[Topic], str]:
-    """Return what describes a service with the numbers of its requests and responses."""
-    kinds: dict[str, Counter[int]] = {service.name: Counter() for service in services}
-    if services:
-        for message in bag.messages(list(kinds)):
-            if len(message.data) > _EVENT_TYPE_AT:
-                kinds[message.topic][message.data[_EVENT_TYPE_AT]] += 1
+def _contents(bag: Bag, topics: list[Topic]) -> _Contents:
+    """Return what the messages of some topics hold, in one pass over the bag; of none, nothing is read."""
+    sizes = Counter({topic.name: 0 for topic in topics})
+    kinds: dict[str, Counter[int]] = {
+        topic.name: Counter() for topic in topics if is_service_event(topic.name, topic.type)
+    }
+    for message in bag.messages(list(sizes)) if topics else ():
+        sizes[message.topic] += len(message.data)
+        if message.topic in kinds and len(message.data) > _EVENT_TYPE_AT:
+            kinds[message.topic][message.data[_EVENT_TYPE_AT]] += 1
+    return _Contents(sizes, kinds)
 
-    def describe(topic: Topic) -> str:
-        count = kinds[topic.name]
+
+def _event_count(topic: Topic) -> str:
+    return f"Event Count: {topic.message_count}"
+
+
+def _requests_and_responses(contents: _Contents) -> Callable[[Topic], str]:
+    """Return what counts the requests and responses of a service."""
+
+    def counts(topic: Topic) -> str:
+        count = contents.kinds[topic.name]
         # A call is recorded at the server, at the client, or at both.
         requests = max(count[_REQUEST_RECEIVED], count[_REQUEST_SENT])
         responses = max(count[_RESPONSE_SENT], count[_RESPONSE_RECEIVED])
-        return _service_line(topic, f"Request Count: {requests} | Response Count: {responses}")
+        return f"Request Count: {requests} | Response Count: {responses}"
 
-    return describe
+    return counts
+
+
+def _no_size(_: Topic) -> str:
+    return ""
+
+
+def _size_contribution(contents: _Contents) -> Callable[[Topic], str]:
+    """Return what describes the size of a topic's messages, and its share of all messages."""
+    whole = contents.sizes.total() or 1  # without a byte, each share is 0
+
+    def size(topic: Topic) -> str:
+        own = contents.sizes[topic.name]
+        return f" | Size Contribution: {size_text(own)} ({100 * own / whole:.1f} %)"
+
+    return size

@@ -6,6 +6,7 @@ import argparse
 from pathlib import Path
 
 from tfloom.cli.bag import conventions
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared.errors import CommandError
 
 
@@ -14,8 +15,19 @@ def add_info_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("bag_path", type=conventions.bag_path, help="the bag: a folder, or a file")
     conventions.add_storage(parser)
     parser.add_argument("-t", "--topic-name", action="store_true", help="print the topics' names only")
-    # Omitted from the usage text, which equals that of Jazzy.
-    parser.add_argument("--sort", choices=["name", "type", "count"], default="", help=argparse.SUPPRESS)
+    parser.add_argument(
+        "--sort",
+        choices=["name", "type", "count"],
+        default="",
+        help=help_since("kilted", "order of the topics (default: that of the metadata)"),
+    )
+    parser.add_argument(
+        "--size-contribution",
+        action="store_true",
+        help=help_since(
+            "kilted", "print the size of each topic's messages, and its share; reads the whole bag"
+        ),
+    )
     parser.add_argument(
         "-v", "--verbose", action="store_true", help="count the requests and responses of services"
     )
@@ -36,7 +48,9 @@ def info_main(args: argparse.Namespace) -> int:
         else:
             from tfloom.bag.info_text import info_text
 
-            print(info_text(bag, verbose=args.verbose, sort=args.sort))
+            print(
+                info_text(bag, verbose=args.verbose, sort=args.sort, size_contribution=args.size_contribution)
+            )
     return 0
 
 
