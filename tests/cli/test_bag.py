@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import os
 import pty
 import re
@@ -25,6 +26,7 @@ from tfloom.bag import open_bag
 from tfloom.bag.reindexing import reindex
 from tfloom.bag.writing.bag_writer import BagWriter
 from tfloom.cli.main import main
+from tfloom.cli.verb_classes.verbs import ConvertVerb
 from tfloom.interfaces.std_msgs.msg import String
 
 BAGS = Path(__file__).parents[1] / "golden" / "bags"
@@ -131,6 +133,67 @@ def test_conversion_joins_filters_and_compresses(bags: Path) -> None:
         assert bag.end_ns - bag.start_ns <= 10**9
 
 
+def test_conversion_of_the_bags_that_a_file_names(bags: Path) -> None:
+    (bags / "in.yaml").write_text(
+        "input_bags:\n- {uri: b1}\n- {uri: b4, storage_id: mcap, max_cache_size: 1}\n"
+    )
+    (bags / "out.yaml").write_text("output_bags:\n- {uri: joined}\n- {uri: more, all: true}\n")
+    found = transcript.run_here("bag", "convert", "--input-options", "in.yaml", "-o", "out.yaml")
+    assert (found.exit_code, found.text) == (0, "")
+    for name in ("joined", "more"):
+        with open_bag(bags / name) as bag:
+            assert bag.message_count == 876 + 1521
+    (bags / "one.yaml").write_text("output_bags:\n- {uri: three}\n")
+    words = ("bag", "convert", "-i", "b1", "--input-options", "in.yaml", "-o", "one.yaml")
+    assert transcript.run_here(*words).exit_code == 0
+    with open_bag(bags / "three") as bag:
+        assert bag.message_count == 2 * 876 + 1521
+    (bags / "last.yaml").write_text("output_bags:\n- {uri: last}\n")
+    args = argparse.Namespace(input_options="in.yaml", output_options="last.yaml")
+    assert ConvertVerb().main(args=args) == 0
+    assert (bags / "last" / "metadata.yaml").exists()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", 'in.yaml: Input options must have the key "input_bags", with a list of bags'),
+        ("input_bags: {uri: b1}", 'must have the key "input_bags", with a list of bags'),
+        ("input_bags: []", "no input bag: name one by -i, or in the file of --input-options"),
+        ("input_bags: [{storage_id: mcap}]", "in.yaml: an input can't be used: it has no uri"),
+        ("input_bags: [b1]", "in.yaml: an input can't be used: "),
+        ("input_bags: [{uri: b1, storage_id: odd}]", "storage_id is one of "),
+        ("input_bags: [{uri: b1, start_time_ns: 1}]", "no option of an input is start_time_ns"),
+        ("input_bags: [{uri: absent}]", "absent: there is no such file or folder"),
+        ("input_bags: [", "in.yaml: "),
+    ],
+)
+def test_mistakes_in_a_file_of_inputs_are_explained(text: str, said: str, bags: Path) -> None:
+    (bags / "in.yaml").write_text(text)
+    (bags / "out.yaml").write_text("output_bags:\n- {uri: new}\n")
+    found = transcript.run_here("bag", "convert", "--input-options", "in.yaml", "-o", "out.yaml")
+    assert found.exit_code == 1
+    assert said in found.text
+    assert "Traceback" not in found.text
+    assert not (bags / "new").exists()
+
+
+def test_input_bags_are_required_and_shown_by_distribution(bags: Path) -> None:
+    (bags / "out.yaml").write_text("output_bags:\n- {uri: new}\n")
+    words = ("bag", "convert", "-o", "out.yaml")
+    older, newer = (
+        transcript.run(*words, env={**os.environ, "ROS_DISTRO": distribution}, cwd=bags)
+        for distribution in ("kilted", "lyrical")
+    )
+    assert older.exit_code == 2
+    assert older.text.endswith("error: the following arguments are required: -i/--input")
+    assert "--input-options" not in older.text
+    assert newer.exit_code == 1
+    assert newer.text == "[ERROR] [ros2bag]: no input bag: name one by -i, or in the file of --input-options"
+    shown = transcript.run("bag", "convert", "-h", env={**os.environ, "ROS_DISTRO": "lyrical"}).text
+    assert "[--input-options INPUT_OPTIONS]" in shown
+
+
 MISTAKES: list[tuple[tuple[str, ...], str]] = [
     (("record", "-o", "b1", "/x"), "[ERROR] [ros2bag]: Output folder 'b1' already exists."),
     (("record", "-a", "--compression-mode", "file"), "Compression format must be specified"),
@@ -141,6 +204,10 @@ MISTAKES: list[tuple[tuple[str, ...], str]] = [
     (("record", "-a", "--storage-preset-profile", "resilient"), "a preset of sqlite3"),
     (("play", "b1", "-r", "0"), "must be a number greater than zero, not '0'"),
     (("play", "b1", "-m", "a"), "'a' is not a remap"),
+    (
+        ("convert", "--input-options", "none.yaml", "-o", "empty.yaml"),
+        "none.yaml: it can't be read: No such file",
+    ),
     (("convert", "-i", "b1", "-o", "none.yaml"), "none.yaml: it can't be read: No such file"),
     (("convert", "-i", "b1", "-o", "empty.yaml"), 'must have the key "output_bags"'),
     (("convert", "-i", "b1", "odd", "-o", "empty.yaml"), "Unknown storage 'odd'; known are sqlite3, mcap"),

@@ -19,7 +19,7 @@ from tfloom.bag.writing.storage import STORAGES
 from tfloom.bag.writing.storage_config import storage_settings
 from tfloom.node.log.logging import get_logger
 
-__all__ = ["Output", "convert", "read_outputs"]
+__all__ = ["Output", "convert", "read_inputs", "read_outputs"]
 
 _UNUSED = {
     *("rmw_serialization_format", "input_serialization_format", "output_serialization_format", "node_prefix"),
@@ -34,6 +34,11 @@ _UNUSED = {
     "snapshot_mode",
 }
 """Options of a recording that are accepted and have no effect on a conversion."""
+_OF_WRITING = {
+    *("storage_preset_profile", "storage_config_uri", "max_bagfile_size", "max_bagfile_duration"),
+    *("max_cache_size", "max_cache_duration", "max_bag_files", "snapshot_mode", "custom_data"),
+}
+"""Options of a storage that have no effect on a bag that is read."""
 
 
 class Output(NamedTuple):
@@ -83,19 +88,35 @@ def _messages(bags: Sequence[Bag], topics: Mapping[str, Topic], output: Output) 
     return heapq.merge(*parts, key=lambda message: message.log_time_ns)
 
 
+def read_inputs(path: Path) -> list[Path]:
+    """Return the paths of the bags that a YAML file describes: a list under the key `input_bags`.
+
+    Raises:
+        BagError: the file can't be read, or an option is unknown or has no valid value.
+    """
+    bags = _bags(_text(path), path, "input_bags", "Input")
+    try:
+        return [_input(values) for values in bags]
+    except (ValueError, TypeError, AttributeError) as error:
+        raise BagError(path, f"an input can't be used: {error}") from None
+
+
 def read_outputs(path: Path) -> list[Output]:
     """Return the outputs that a YAML file describes: a list under the key `output_bags`.
 
     Raises:
         BagError: the file can't be read, or an option is unknown or has no valid value.
     """
+    return parse_outputs(_text(path), path)
+
+
+def _text(path: Path) -> str:
     try:
-        text = path.read_text("utf-8")
+        return path.read_text("utf-8")
     except OSError as error:
         raise BagError(path, f"it can't be read: {error.strerror}") from None
     except UnicodeDecodeError:
         raise BagError(path, "this isn't UTF-8 text") from None
-    return parse_outputs(text, path)
 
 
 def parse_outputs(text: str, path: Path) -> list[Output]:
@@ -104,18 +125,36 @@ def parse_outputs(text: str, path: Path) -> list[Output]:
     Raises:
         BagError: an option is unknown or has no valid value.
     """
+    bags = _bags(text, path, "output_bags", "Output")
+    try:
+        return [_output(values) for values in bags]
+    except (ValueError, TypeError, OverflowError, AttributeError, re.error) as error:
+        raise BagError(path, f"an output can't be used: {error}") from None
+
+
+def _bags(text: str, path: Path, key: str, side: str) -> list[Any]:
+    """Return the list under the key of a YAML text."""
     from tfloom.common import yaml as user_yaml
 
     try:
         document = user_yaml.load(text)
     except user_yaml.YamlError as error:
         raise BagError(path, str(error)) from None
-    if not isinstance(document, dict) or not isinstance(document.get("output_bags"), list):
-        raise BagError(path, 'Output options must have the key "output_bags", with a list of bags')
-    try:
-        return [_output(values) for values in document["output_bags"]]
-    except (ValueError, TypeError, OverflowError, AttributeError, re.error) as error:
-        raise BagError(path, f"an output can't be used: {error}") from None
+    if not isinstance(document, dict) or not isinstance(document.get(key), list):
+        raise BagError(path, f'{side} options must have the key "{key}", with a list of bags')
+    return list(document[key])
+
+
+def _input(values: Mapping[str, Any]) -> Path:
+    """Return the path of an input bag, whose storage is found by itself."""
+    if "uri" not in values:
+        raise ValueError("it has no uri")
+    if unknown := values.keys() - {"uri", "storage_id"} - _OF_WRITING:
+        raise ValueError(f"no option of an input is {', '.join(sorted(unknown))}")
+    storage_id = str(values.get("storage_id") or "")
+    if storage_id not in {"", *STORAGES}:
+        raise ValueError(f"storage_id is one of {', '.join(STORAGES)}, not {storage_id}")
+    return Path(str(values["uri"]))
 
 
 def _output(values: Mapping[str, Any]) -> Output:
