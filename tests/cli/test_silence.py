@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import subprocess
+import time
 from collections.abc import Callable
 from pathlib import Path
 
@@ -40,6 +41,45 @@ def test_no_response_gives_an_error_message() -> None:
         "no response from /a_silent_node/list_parameters within 2 s",
         1,
     )
+
+
+@pytest.mark.usefixtures("silent_node")
+@pytest.mark.parametrize(
+    ("words", "service"),
+    [
+        (("lifecycle", "get", "/a_silent_node"), "get_state"),
+        (("component", "list"), "_container/list_nodes"),
+        (("component", "load", "/a_silent_node", "a_package", "A"), "_container/load_node"),
+        (("component", "unload", "/a_silent_node", "1"), "_container/unload_node"),
+    ],
+)
+def test_wait_for_a_response_is_as_long_as_requested(words: tuple[str, ...], service: str) -> None:
+    start_s = time.monotonic()
+    answer = transcript.run_here(*words, "--timeout", "0.7")
+    said = f"no response from /a_silent_node/{service} within 0.7 s"
+    assert (answer.text, answer.exit_code) == (said, 1)
+    assert time.monotonic() - start_s >= 0.7
+
+
+@pytest.mark.usefixtures("silent_node")
+@pytest.mark.parametrize("words", [("list", "/a_silent_node"), ("set", "/a_silent_node", "configure")])
+def test_wait_for_a_server_is_as_long_as_requested(words: tuple[str, ...]) -> None:
+    answer = transcript.run_here("lifecycle", *words, "--timeout", "0.6")
+    said = "no server of /a_silent_node/get_available_transitions: waited 0.6 s for it"
+    assert (answer.text, answer.exit_code) == (said, 1)
+
+
+@pytest.mark.parametrize("words", [("lifecycle", "get"), ("component", "list")])
+def test_timeouts_are_shown_from_lyrical_on_and_checked(words: tuple[str, ...]) -> None:
+    older, newer = (
+        transcript.run(*words, "-h", env={**os.environ, "ROS_DISTRO": distribution}).text
+        for distribution in ("kilted", "lyrical")
+    )
+    assert "--timeout" not in older
+    assert "[--timeout N]" in newer
+    answer = transcript.run_here(*words, "--timeout", "-1")
+    assert answer.exit_code == 2
+    assert "argument --timeout: must be a number of seconds that isn't negative" in answer.text
 
 
 @pytest.mark.usefixtures("silent_node")

@@ -140,15 +140,16 @@ def _components(args: argparse.Namespace) -> list[str]:
     """Return the ids of the components in the container."""
     from tfloom.cli.component import containers
 
-    with containers(argparse.Namespace(spin_time=MAX_WAIT_S), args.container_node_name) as (container,):
+    asked = argparse.Namespace(spin_time=MAX_WAIT_S, timeout=None)
+    with containers(asked, args.container_node_name) as (container,):
         return [str(unique_id) for unique_id in container.components()]
 
 
 def _transitions(args: argparse.Namespace) -> list[str]:
     """Return the transitions that are available on the node."""
-    from tfloom.cli.lifecycle import lifecycles
+    from tfloom.cli.lifecycle import TIMEOUT_S, lifecycles
 
-    asked = argparse.Namespace(spin_time=MAX_WAIT_S, include_hidden_nodes=True)
+    asked = argparse.Namespace(spin_time=MAX_WAIT_S, include_hidden_nodes=True, timeout=TIMEOUT_S)
     with lifecycles(asked, args.node_name) as nodes:
         return [description.transition.label for description in nodes[0].transitions()]
 

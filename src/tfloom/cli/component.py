@@ -7,13 +7,14 @@ from collections.abc import Collection, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.calls import NodeServices, call_each
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listen import cli_node, shown_node
 from tfloom.cli.shared.listing import print_json
 from tfloom.cli.shared.names import find_full_name
-from tfloom.cli.shared.numbers import unsigned
+from tfloom.cli.shared.numbers import seconds, unsigned
 from tfloom.interfaces.composition_interfaces import srv
 from tfloom.rmw.base import Graph
 
@@ -35,13 +36,17 @@ class Container(NodeServices):
         response = self.call(LIST, srv.ListNodes, srv.ListNodes.Request())
         return dict(zip(response.unique_ids, response.full_node_names, strict=False))
 
-    def load(self, request: srv.LoadNode_Request) -> tuple[int, str]:
-        """Load a node; return its id and full name. Loading takes as long as the node's constructor.
+    def load(self, request: srv.LoadNode_Request, timeout_s: float | None) -> tuple[int, str]:
+        """Load a node; return its id and full name.
+
+        Args:
+            request: What is loaded.
+            timeout_s: Longest wait for the response [s]; None: as long as the node's constructor takes.
 
         Raises:
-            CommandError: the container has rejected it; the text has its reason.
+            CommandError: the container has rejected it, or has not responded; the text has the reason.
         """
-        response = self.call(LOAD, srv.LoadNode, request, float("inf"))
+        response = self.call(LOAD, srv.LoadNode, request, float("inf") if timeout_s is None else timeout_s)
         if not response.success:
             raise CommandError(f"Failed to load component: {response.error_message.capitalize()}")
         return response.unique_id, response.full_node_name
@@ -85,13 +90,27 @@ def containers(args: argparse.Namespace, asked: str | None) -> Iterator[list[Con
         names = container_names(participant.graph)
         if asked is not None:
             names = [find_full_name(asked, names, f"Unable to find container node '{asked}'")]
-        yield [Container(participant, own, name, TIMEOUT_S) for name in names]
+        timeout_s = TIMEOUT_S if args.timeout is None else args.timeout
+        yield [Container(participant, own, name, timeout_s) for name in names]
+
+
+def _add_timeout(parser: argparse.ArgumentParser, default: str = f"{TIMEOUT_S:g}") -> None:
+    """Add the flag for the waits; its default is None, which the help explains by `default`."""
+    parser.add_argument(
+        "--timeout",
+        metavar="N",
+        type=seconds,
+        help=help_since(
+            "lyrical", f"longest wait for a container, and for its response, in seconds (default {default})"
+        ),
+    )
 
 
 def add_list_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of `component list`."""
     graph.add_arguments(parser)
     parser.add_argument("container_node_name", nargs="?", help="full name of one container")
+    _add_timeout(parser)
     parser.add_argument("--containers-only", action="store_true", help="leave out the components")
     parser.add_argument(
         "--json", action="store_true", help="print JSON for programs: the components of each container"
@@ -126,6 +145,7 @@ def add_load_arguments(parser: argparse.ArgumentParser) -> None:
     graph.add_arguments(parser)
     parser.add_argument("container_node_name", help="full name of the container")
     add_component_arguments(parser)
+    _add_timeout(parser, f"{TIMEOUT_S:g}, and no limit for the response")
     parser.add_argument("-q", "--quiet", action="store_true", help="print only id and name")
 
 
@@ -194,7 +214,7 @@ def load_main(args: argparse.Namespace) -> int:
         extra_arguments=parameters_of(args.extra_arguments),
     )
     with containers(args, args.container_node_name) as (container,):
-        unique_id, name = container.load(request)
+        unique_id, name = container.load(request, args.timeout)
     if args.quiet:
         print(f"{unique_id}  {name}")
     else:
@@ -246,6 +266,7 @@ def add_unload_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "component_uid", nargs="+", type=unsigned, help="id of a component, as `component list` prints it"
     )
+    _add_timeout(parser)
     parser.add_argument("-q", "--quiet", action="store_true", help="print only the ids")
 
 

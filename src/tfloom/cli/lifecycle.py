@@ -7,12 +7,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from tfloom.cli.parser import help_since
 from tfloom.cli.shared import graph
 from tfloom.cli.shared.calls import NodeServices, call_each
 from tfloom.cli.shared.errors import CommandError
 from tfloom.cli.shared.listen import cli_node, shown_node
 from tfloom.cli.shared.listing import print_json, print_names
 from tfloom.cli.shared.names import find_full_name
+from tfloom.cli.shared.numbers import seconds
 from tfloom.interfaces.lifecycle_msgs import srv
 from tfloom.rmw.base import Graph
 
@@ -27,6 +29,15 @@ def add_common_arguments(parser: argparse.ArgumentParser) -> None:
         "--include-hidden-nodes",
         action="store_true",
         help="see nodes whose name begins with an underscore, too",
+    )
+    parser.add_argument(
+        "--timeout",
+        metavar="N",
+        type=seconds,
+        default=TIMEOUT_S,
+        help=help_since(
+            "lyrical", f"longest wait for a service, and for its response, in seconds (default {TIMEOUT_S:g})"
+        ),
     )
 
 
@@ -73,7 +84,7 @@ def lifecycles(args: argparse.Namespace, asked: str | None) -> Iterator[list[Lif
         names = lifecycle_nodes(participant.graph, hidden=args.include_hidden_nodes)
         if asked is not None:
             names = [find_full_name(asked, names, "Node not found")]
-        yield [Lifecycle(participant, own, name, TIMEOUT_S) for name in names]
+        yield [Lifecycle(participant, own, name, args.timeout) for name in names]
 
 
 def add_get_arguments(parser: argparse.ArgumentParser) -> None:
