@@ -214,6 +214,7 @@ def test_topic_is_shown_twice_and_saved_as_a_file_of_rviz(tab: Tab, tmp_path: Pa
 
 
 def test_displays_without_a_topic_and_arrows_are_drawn(tab: Tab) -> None:
+    tab.page.evaluate("send({ op: 'names', on: false })")  # they would cover the cells
     for kind in ("Axes", "Grid"):
         tab.page.evaluate(
             """kind => { const add = document.getElementById("add-plain");
