@@ -362,3 +362,29 @@ def test_names_of_ros() -> None:
     )
     assert message_filters.InputAligner is InputAligner
     assert isinstance(TimeSynchronizer([SimpleFilter()], 1), simple.SimpleFilter)
+
+
+def test_getter_that_waits_delays_no_other_message_and_may_add_one() -> None:
+    is_waiting, may_end = threading.Event(), threading.Event()
+
+    def value_of(message: int) -> int:
+        if message == 2:
+            is_waiting.set()
+            assert may_end.wait(30.0)
+        return message
+
+    passed: list[int] = []
+    differing = DeltaFilter(value_of)
+    differing.registerCallback(passed.append)
+    differing.add(1)
+    thread = threading.Thread(target=differing.add, args=[2], daemon=True)
+    thread.start()
+    assert is_waiting.wait(30.0)
+    other = threading.Thread(target=differing.add, args=[3], daemon=True)
+    other.start()
+    other.join(30.0)
+    assert (passed, other.is_alive()) == ([1, 3], False)
+    may_end.set()
+    thread.join(30.0)
+    # It is compared once more, with the message that was passed on meanwhile.
+    assert passed == [1, 3, 2]

@@ -58,20 +58,28 @@ class CachedComparisonHandler(ComparisonHandler):
             raise ValueError(f"{type(self).__name__} needs at least one callable that returns a field")
         self._field_getters = getters
         self._message_cache: Any = None
+        self._lock = threading.Lock()
+        """Guards the replacement of the last message."""
 
     def message_fits(self, message: Any) -> bool:
         """Return whether a message is passed on: the first one is, and one of which any field fits. It is kept then."""
-        cached = self._message_cache
-        if cached is not None and not any(
-            self.do_fields_fit(getter(cached), getter(message)) for getter in self._field_getters
-        ):
-            return False
-        self._message_cache = message
-        return True
+        # Getters and comparisons are the program's, so they run without the lock: where another message was passed on
+        # meanwhile, this one is compared with that.
+        while True:
+            cached = self._message_cache
+            if cached is not None and not any(
+                self.do_fields_fit(getter(cached), getter(message)) for getter in self._field_getters
+            ):
+                return False
+            with self._lock:
+                if self._message_cache is cached:
+                    self._message_cache = message
+                    return True
 
     def forget(self) -> None:
         """Let the next message pass."""
-        self._message_cache = None
+        with self._lock:
+            self._message_cache = None
 
 
 class DeltaCompare(CachedComparisonHandler):
@@ -101,8 +109,6 @@ class ComparisonFilter(SimpleFilter):
                 f"{type(self).__name__} needs a handler, which has message_fits, got {given_text(comparison_handler)}"
             )
         self._handler = comparison_handler
-        self._lock = threading.Lock()
-        """Guards the handler's last message, which is compared and replaced by one message at a time."""
         self.incoming_connection: int | None = None
         if message_filter is not None:
             self.connectInput(message_filter)
@@ -120,8 +126,7 @@ class ComparisonFilter(SimpleFilter):
 
     def message_fits(self, message: Any) -> bool:
         """Return whether a message is passed on."""
-        with self._lock:
-            return self._handler.message_fits(message)
+        return self._handler.message_fits(message)
 
     def add(self, message: Any) -> None:
         """Pass a message on, if it fits."""
@@ -130,9 +135,8 @@ class ComparisonFilter(SimpleFilter):
 
     def clear_after_jump(self, jump: JumpBack) -> None:
         """Let the next message pass, because another recording has begun; see `SimpleFilter`."""
-        with self._lock:
-            if hasattr(self._handler, "forget"):
-                self._handler.forget()
+        if hasattr(self._handler, "forget"):
+            self._handler.forget()
         super().clear_after_jump(jump)
 
 
