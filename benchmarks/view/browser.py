@@ -22,7 +22,7 @@ from playwright.sync_api import sync_playwright
 from benchmarks.domain import DOMAIN_ID
 from benchmarks.view.__main__ import PORT, Feeder, cores, viewer
 from tfloom.interfaces.geometry_msgs.msg import Twist
-from tfloom.node.client_library import init, shutdown
+from tfloom.node.client_library import init, try_shutdown
 from tfloom.node.executing.executors import SingleThreadedExecutor
 
 FLAGS = [
@@ -159,7 +159,7 @@ def main() -> int:
             print_pictures(frames)
         print_answers()
     finally:
-        shutdown()
+        try_shutdown()  # a signal may have done so
     return 0
 
 

@@ -117,17 +117,19 @@ def transform_text(
 def _extrapolation_text(
     error: ExtrapolationException, when: str, thing: str, frame: str, fixed_frame: str
 ) -> str:
-    gap_ns = error.gap_ns
-    if gap_ns is None or error.requested_ns is None or error.oldest_ns is None:
+    gap = _gap_text(error)
+    if not gap:
         return fault_text(error)
-    is_before = error.requested_ns < error.oldest_ns
-    end = "begin" if is_before else "end"
-    after = "after" if is_before else "before"
     way = f", on the way from {_quoted(frame)} to {_quoted(fixed_frame)}" if error.frame_id != frame else ""
-    return (
-        f"{thing} can't be placed: the transforms of {_quoted(error.frame_id or frame)}{way} "
-        f"{end} {seconds_text(gap_ns / 1e9)} {after} {when}"
-    )
+    return f"{thing} can't be placed: the transforms of {_quoted(error.frame_id or frame)}{way} {gap} {when}"
+
+
+def _gap_text(error: ExtrapolationException) -> str:
+    """Return how far transforms are from the time that was asked for, as "end 2 s before"; empty if it is not known."""
+    if error.gap_ns is None or error.requested_ns is None or error.oldest_ns is None:
+        return ""
+    gap = seconds_text(error.gap_ns / 1e9)
+    return f"begin {gap} after" if error.requested_ns < error.oldest_ns else f"end {gap} before"
 
 
 def lag_text(buffer: Buffer, fixed_frame: str, placed: Placed, thing: str) -> str:
@@ -145,14 +147,12 @@ def lag_text(buffer: Buffer, fixed_frame: str, placed: Placed, thing: str) -> st
     try:
         buffer.lookup(fixed_frame, frame, placed.stamp_ns)
     except ExtrapolationException as error:
-        gap_ns = error.gap_ns
-        if gap_ns is None or gap_ns <= PATIENCE_NS or error.requested_ns is None or error.oldest_ns is None:
+        gap = _gap_text(error)
+        if not gap or (error.gap_ns or 0) <= PATIENCE_NS:
             return ""
-        is_before = error.requested_ns < error.oldest_ns
-        end, after = ("begin", "after") if is_before else ("end", "before")
         return (
             f"{thing} is drawn where its frame is at another time: the transforms of "
-            f"{_quoted(error.frame_id or frame)} {end} {seconds_text(gap_ns / 1e9)} {after} its stamp"
+            f"{_quoted(error.frame_id or frame)} {gap} its stamp"
         )
     except TransformException:
         pass

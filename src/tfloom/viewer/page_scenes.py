@@ -6,7 +6,7 @@ import math
 import time
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -37,23 +37,8 @@ if TYPE_CHECKING:
     from tfloom.viewer.scene import NamedFrames, Scene
     from tfloom.viewer.scene_server import SceneServer
 
-__all__ = ["SCENE_COMMANDS", "PageScenes"]
+__all__ = ["PageScenes"]
 
-SCENE_COMMANDS = frozenset(
-    (
-        "pointer",
-        "look",
-        "held",
-        "camera",
-        "save_view",
-        "show_view",
-        "forget_view",
-        "measure",
-        "end_measure",
-        "focus",
-    )
-)
-"""What a page asks of its own scene."""
 LABELS_S = 0.15
 """Period at which it is chosen anew which names are shown [s]."""
 USUAL_PX = (800.0, 480.0)
@@ -134,19 +119,7 @@ class PageScenes:
         Raises:
             PageError: it can't be done.
         """
-        do: dict[str, Callable[[str, Mapping[str, Any]], None]] = {
-            "pointer": self._point,
-            "look": self._look,
-            "held": self._hold,
-            "camera": self._set_camera,
-            "save_view": self._save_view,
-            "show_view": self._show_view,
-            "forget_view": self._forget_view,
-            "measure": self._add_to_measure,
-            "end_measure": self._end_measure,
-            "focus": self._focus,
-        }
-        do[operation](page, command)
+        self.COMMANDS[operation](self, page, command)
 
     def open(self, page: str, layout: Layout) -> None:
         """Let a new page look as a layout says."""
@@ -396,6 +369,20 @@ class PageScenes:
         if extent is None:
             raise PageError("what is at this place is too far away to be looked at")
         return extent
+
+    COMMANDS: ClassVar[dict[str, Callable[[PageScenes, str, Mapping[str, Any]], None]]] = {
+        "pointer": _point,
+        "look": _look,
+        "held": _hold,
+        "camera": _set_camera,
+        "save_view": _save_view,
+        "show_view": _show_view,
+        "forget_view": _forget_view,
+        "measure": _add_to_measure,
+        "end_measure": _end_measure,
+        "focus": _focus,
+    }
+    """What a page asks of its own scene."""
 
 
 def _spot(command: Mapping[str, Any]) -> _Spot:

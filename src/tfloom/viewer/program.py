@@ -24,7 +24,7 @@ from tfloom.viewer.live_only import empty_text
 from tfloom.viewer.log_lines import MAX_LINES
 from tfloom.viewer.node_graph import node_graph
 from tfloom.viewer.page_command import PageError, fault_text, number, text
-from tfloom.viewer.page_scenes import SCENE_COMMANDS, PageScenes
+from tfloom.viewer.page_scenes import PageScenes
 from tfloom.viewer.page_server import CLOSED, PageServer
 from tfloom.viewer.pictures import picture_of
 from tfloom.viewer.scene import Scene
@@ -345,7 +345,7 @@ class Viewer:
             self._save_layout(page, for_rviz=command.get("form") == "rviz")
         elif operation in {"fit", "joint", "pose"}:
             self._show_robot(page, operation, command)
-        elif operation in SCENE_COMMANDS:
+        elif operation in PageScenes.COMMANDS:
             self._scenes.command(page, operation, command)
         elif operation == "marker_menu":
             self.view.choose_entry(self._server.client_of(page), command)

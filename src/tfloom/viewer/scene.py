@@ -206,6 +206,8 @@ class Scene:
         return {name: place.name for name, place in self._places.items()}
 
     def _move_places(self) -> None:
+        if not self._places:
+            return
         positions = dict(zip(self.named.poses.names, self.named.poses.positions, strict=True))
         for name, place in self._places.items():
             position = positions.get(name)

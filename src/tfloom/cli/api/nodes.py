@@ -10,8 +10,7 @@ import os
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from tfloom.cli.shared.graph import MAX_WAIT_S, wait_until_quiet
-from tfloom.cli.shared.numbers import seconds
+from tfloom.cli.shared.graph import MAX_WAIT_S, add_spin_time, wait_until_quiet
 from tfloom.node.client_library import init
 from tfloom.node.context.utilities import ok, try_shutdown
 from tfloom.node.node import Node
@@ -97,12 +96,7 @@ class DirectNode(Node):
 
 def add_node_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the flags that `DirectNode` reads."""
-    parser.add_argument(
-        "--spin-time",
-        type=seconds,
-        default=MAX_WAIT_S,
-        help=f"longest time of discovery in seconds (default {MAX_WAIT_S:g}; it ends when nothing new arrives)",
-    )
+    add_spin_time(parser)
     parser.add_argument("-s", "--use-sim-time", action="store_true", help="use the time on /clock")
 
 

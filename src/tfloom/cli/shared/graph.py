@@ -46,14 +46,19 @@ TOPICS_OF_EVERY_NODE = {
 """The topics that each node publishes, by name, with their types."""
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the common flags of all verbs that use the graph."""
+def add_spin_time(parser: argparse.ArgumentParser) -> None:
+    """Add the flag for the longest time of discovery."""
     parser.add_argument(
         "--spin-time",
         type=seconds,
         default=MAX_WAIT_S,
         help=f"longest time of discovery in seconds (default {MAX_WAIT_S:g}; it ends when nothing new arrives)",
     )
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the common flags of all verbs that use the graph."""
+    add_spin_time(parser)
     parser.add_argument(
         "-s", "--use-sim-time", action="store_true", help="accepted and not used: nothing depends on the time"
     )
