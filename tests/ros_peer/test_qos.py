@@ -82,7 +82,7 @@ def test_pair_connects_or_both_sides_report_why_not(
             wait_until(lambda count=count: ends.reader("count", key) >= count, what=text)
         assert ends.reader("received", key) == sent
         if "RELIABLE" == offered[0] == requested[0]:
-            expect_the_last(ends, key, depths)
+            expect_the_last(ends, key, depths, wait_until)
         assert [end("incompatible", key) for end in ends] == [[], []]
     for end in ends:
         end("close", key)
@@ -104,7 +104,9 @@ def expect_nothing_before_a_marker(ends: Ends, wait_until: Callable[..., None]) 
         end("close", key)
 
 
-def expect_the_last(ends: Ends, key: str, depths: tuple[int, int]) -> None:
+def expect_the_last(
+    ends: Ends, key: str, depths: tuple[int, int], wait_until: Callable[..., None]
+) -> None:
     """A reader that does not take keeps as many of the last messages as its depth."""
     ends.reader("forget", key)
     ends.reader("hold")
@@ -112,6 +114,7 @@ def expect_the_last(ends: Ends, key: str, depths: tuple[int, int]) -> None:
     ends.writer("publish", key, *sent)
     assert ends.writer("acknowledged", key, 30.0)
     ends.reader("resume")
+    wait_until(lambda: ends.reader("received", key)[-1:] == sent[-1:], what=f"{sent[-1]}")
     settle(ends.reader)
     assert ends.reader("received", key) == sent[-depths[1] :]
 

@@ -65,6 +65,8 @@ class SceneServer:
             self._clients[headers.get(PAGE_HEADER, "")] = connection.client_id
 
         connections.on_client_connect(check)
+        # Nothing here casts a shadow, as in RViz; maps of shadows would be drawn for every picture all the same.
+        self.scene.configure_default_lights(cast_shadow=False)
         self._server.gui.configure_theme(dark_mode=True, show_logo=False, show_share_button=False)
 
     @property

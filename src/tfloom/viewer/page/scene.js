@@ -1,4 +1,5 @@
-// Runs in the page of viser's client, before it: lets points have a size in pixels, whatever their distance.
+// Runs in the page of viser's client, before it: lets points have a size in pixels, whatever their distance, and draws
+// edges without smoothing where there is no graphics card.
 //
 // Viser's points have a size in metres alone, by one line of its shader. A size below zero means here thousandths of a
 // pixel of the page; the shader gets the size of a pixel with each drawing of points, because a window may be resized
@@ -26,4 +27,22 @@ if (window.WebGL2RenderingContext) {
     }
     drawArrays.call(this, mode, first, count);
   };
+
+  // Without a card, smoothed edges take most of the time of a picture. A browser may refuse a context that must be a fast
+  // one, or names what draws: SwiftShader in Chromium, llvmpipe of Mesa, Windows' Basic Render Driver.
+  const isWithoutCard = () => {
+    const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+    if (!probe) return true;
+    const names = probe.getExtension("WEBGL_debug_renderer_info");
+    const drawer = probe.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : probe.RENDERER);
+    const lose = probe.getExtension("WEBGL_lose_context");
+    if (lose) lose.loseContext();  // of contexts, a page has few
+    return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(drawer);
+  };
+  if (isWithoutCard()) {
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (kind, options) {
+      return getContext.call(this, kind, kind === "webgl2" ? { ...options, antialias: false } : options);
+    };
+  }
 }
