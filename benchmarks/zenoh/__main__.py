@@ -1,7 +1,7 @@
 """Measure the wire on Zenoh beside the one on DDS, in turns: `python -m benchmarks.zenoh [--trips N] [--samples N]`.
 
-Two processes on the loopback interface, 200 octets a sample. The table has the medians of the turns and the ratios: on
-a loaded machine only these mean something. The library's own round trip, without tfloom, is the least that one on Zenoh
+Two processes on the loopback interface, 200 octets a sample unless a row names a size. The table has the medians of the
+turns and the ratios: on a loaded machine only these mean something. The library's own round trip, without tfloom, is the least that one on Zenoh
 takes: its Python binding has a thread of the library and the GIL at each end.
 """
 
@@ -21,6 +21,9 @@ from tfloom.rmw.backends import is_installed, open_participant
 
 WIRES = {"rmw_zenoh_cpp": "Zenoh", "rmw_cyclonedds_cpp": "Cyclone"}
 TURNS = 3
+OCTETS = 200
+LARGE = {"1 MB": (1_000_000, 40), "8 MB": (8_000_000, 15)}
+"""Octets, and trips in a turn."""
 RATE_HZ = 1000.0
 DOMAIN, PORT, BARE_PORT = "96", "30000", 30001
 PATIENCE_S = 30.0
@@ -34,7 +37,7 @@ def start(*words: object) -> subprocess.Popen[str]:
     return process
 
 
-def trips_us(count: int) -> tuple[float, float]:
+def trips_us(count: int, octets: int = OCTETS) -> tuple[float, float]:
     """Return p50 and p99 of round trips between two processes [us]."""
     peer = start("echo")
     participant = open_participant()
@@ -50,14 +53,14 @@ def trips_us(count: int) -> tuple[float, float]:
             time.sleep(0.01)
         queue = ReadyQueue()
         reader.notify(queue)
-        return percentiles_us(count, writer.write, reader.take, queue)
+        return percentiles_us(count, octets, writer.write, reader.take, queue)
     finally:
         participant.close()
         peer.kill()
         peer.wait()
 
 
-def bare_trips_us(count: int) -> tuple[float, float]:
+def bare_trips_us(count: int, octets: int = OCTETS) -> tuple[float, float]:
     """Return p50 and p99 of round trips by Zenoh's library alone [us]."""
     peer = start("bare", BARE_PORT)
     end = Bare(BARE_PORT, ("ask", "answer"), listens=False)
@@ -66,7 +69,7 @@ def bare_trips_us(count: int) -> tuple[float, float]:
         while not end.publisher.matching_status.matching:
             assert time.monotonic() < limit, "the peer isn't matched"
             time.sleep(0.01)
-        return percentiles_us(count, end.publisher.put, end.take, end.queue)
+        return percentiles_us(count, octets, end.publisher.put, end.take, end.queue)
     finally:
         end.session.close()
         peer.kill()
@@ -74,12 +77,12 @@ def bare_trips_us(count: int) -> tuple[float, float]:
 
 
 def percentiles_us(
-    count: int, write: Callable[[bytes], None], take: Callable[[], object], queue: ReadyQueue
+    count: int, octets: int, write: Callable[[bytes], None], take: Callable[[], object], queue: ReadyQueue
 ) -> tuple[float, float]:
     """Return p50 and p99 of the times until what is written comes back [us]."""
     times = []
     for number in range(count):
-        data = b"\0\1\0\0" + number.to_bytes(4, "little") + bytes(192)
+        data = b"\0\1\0\0" + number.to_bytes(4, "little") + bytes(octets - 8)
         begun = time.perf_counter()
         write(data)
         while (answer := take()) is None:
@@ -113,12 +116,14 @@ def measure(trips: int, samples: int) -> dict[str, float]:
     p50, p99 = trips_us(trips)
     sink, sender = stream_us("sink", samples)
     python, _ = stream_us("callback", samples)
+    large = {f"{name} there and back, p50": trips_us(count, octets)[0] for name, (octets, count) in LARGE.items()}
     return {
         "round trip, p50": p50,
         "round trip, p99": p99,
         "receiver's CPU, into a buffer (/tf)": sink,
         "receiver's CPU, taken by Python": python,
         "sender's CPU": sender,
+        **large,
     }
 
 
@@ -132,19 +137,21 @@ def main() -> int:
         print(f"not measured: {' and '.join(missing)} is not installed")
         return 0
     turns: dict[str, list[dict[str, float]]] = {name: [] for name in WIRES}
-    bare: list[tuple[float, float]] = []
+    bare: list[dict[str, float]] = []
     for _ in range(TURNS):
         for name in WIRES:
             os.environ["RMW_IMPLEMENTATION"] = name
             turns[name].append(measure(args.trips, args.samples))
-        bare.append(bare_trips_us(args.trips))
+        p50, p99 = bare_trips_us(args.trips)
+        large = {name: bare_trips_us(count, octets)[0] for name, (octets, count) in LARGE.items()}
+        bare.append({"p50": p50, "p99": p99} | {f"of {name}, p50": value for name, value in large.items()})
     zenoh, cyclone = turns.values()
     print(f"{'[us]':40}{'Zenoh':>10}{'Cyclone':>10}{'ratio':>8}")
     for row in zenoh[0]:
         ours, theirs = (median(turn[row] for turn in measured) for measured in (zenoh, cyclone))
         print(f"{row:40}{ours:10.1f}{theirs:10.1f}{ours / theirs:8.1f}")
-    for row, values in zip(("p50", "p99"), zip(*bare, strict=True), strict=True):
-        print(f"{f'round trip by the library alone, {row}':40}{median(values):10.1f}")
+    for row in bare[0]:
+        print(f"{f'round trip by the library alone, {row}':40}{median(turn[row] for turn in bare):10.1f}")
     return 0
 
 
