@@ -1,8 +1,8 @@
 """Measure the wire on Zenoh beside the one on DDS, in turns: `python -m benchmarks.zenoh [--trips N] [--samples N]`.
 
 Two processes on the loopback interface, 200 octets a sample unless a row names a size. The table has the medians of the
-turns and the ratios: on a loaded machine only these mean something. The library's own round trip, without tfloom, is the least that one on Zenoh
-takes: its Python binding has a thread of the library and the GIL at each end.
+turns and ratios: on a loaded machine only these mean something. The library's own round trip, without tfloom, is the
+least that one on Zenoh takes: its Python binding has a thread of the library and the GIL at each end.
 """
 
 from __future__ import annotations
@@ -76,6 +76,24 @@ def bare_trips_us(count: int, octets: int = OCTETS) -> tuple[float, float]:
         peer.wait()
 
 
+def shared_trips_us() -> dict[str, float]:
+    """Return p50 of round trips of large messages on Zenoh, where both ask for its shared memory [us], by row."""
+    asked = {
+        "RMW_IMPLEMENTATION": "rmw_zenoh_cpp",
+        "ZENOH_CONFIG_OVERRIDE": "transport/shared_memory/enabled=true",
+    }
+    before = {name: os.environ.get(name) for name in asked}
+    os.environ.update(asked)
+    try:
+        return {
+            f"{name}, by its shared memory, p50": trips_us(count, octets)[0]
+            for name, (octets, count) in LARGE.items()
+        }
+    finally:
+        for name, value in before.items():
+            os.environ.pop(name) if value is None else os.environ.update({name: value})
+
+
 def percentiles_us(
     count: int, octets: int, write: Callable[[bytes], None], take: Callable[[], object], queue: ReadyQueue
 ) -> tuple[float, float]:
@@ -116,7 +134,9 @@ def measure(trips: int, samples: int) -> dict[str, float]:
     p50, p99 = trips_us(trips)
     sink, sender = stream_us("sink", samples)
     python, _ = stream_us("callback", samples)
-    large = {f"{name} there and back, p50": trips_us(count, octets)[0] for name, (octets, count) in LARGE.items()}
+    large = {
+        f"{name} there and back, p50": trips_us(count, octets)[0] for name, (octets, count) in LARGE.items()
+    }
     return {
         "round trip, p50": p50,
         "round trip, p99": p99,
@@ -137,21 +157,26 @@ def main() -> int:
         print(f"not measured: {' and '.join(missing)} is not installed")
         return 0
     turns: dict[str, list[dict[str, float]]] = {name: [] for name in WIRES}
-    bare: list[dict[str, float]] = []
+    others: list[dict[str, float]] = []
     for _ in range(TURNS):
         for name in WIRES:
             os.environ["RMW_IMPLEMENTATION"] = name
             turns[name].append(measure(args.trips, args.samples))
         p50, p99 = bare_trips_us(args.trips)
-        large = {name: bare_trips_us(count, octets)[0] for name, (octets, count) in LARGE.items()}
-        bare.append({"p50": p50, "p99": p99} | {f"of {name}, p50": value for name, value in large.items()})
+        alone = {
+            f"of {name}, p50": bare_trips_us(count, octets)[0] for name, (octets, count) in LARGE.items()
+        }
+        alone = {
+            f"by the library alone, {row}": value for row, value in {"p50": p50, "p99": p99, **alone}.items()
+        }
+        others.append(alone | shared_trips_us())
     zenoh, cyclone = turns.values()
     print(f"{'[us]':40}{'Zenoh':>10}{'Cyclone':>10}{'ratio':>8}")
     for row in zenoh[0]:
         ours, theirs = (median(turn[row] for turn in measured) for measured in (zenoh, cyclone))
         print(f"{row:40}{ours:10.1f}{theirs:10.1f}{ours / theirs:8.1f}")
-    for row in bare[0]:
-        print(f"{f'round trip by the library alone, {row}':40}{median(turn[row] for turn in bare):10.1f}")
+    for row in others[0]:
+        print(f"{row:40}{median(turn[row] for turn in others):10.1f}")
     return 0
 
 

@@ -49,7 +49,12 @@ class Bare:
         import zenoh
 
         config = zenoh.Config()
-        for name in ("scouting/multicast/enabled", "scouting/gossip/enabled"):
+        # As a session of tfloom: it shares no memory unless it is asked to.
+        for name in (
+            "scouting/multicast/enabled",
+            "scouting/gossip/enabled",
+            "transport/shared_memory/enabled",
+        ):
             config.insert_json5(name, "false")
         ends = {"listen": listens, "connect": not listens}
         for name, is_used in ends.items():

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import math
 import os
+import re
 import signal
 import socket
 import struct
@@ -1514,6 +1515,50 @@ def test_samples_and_the_graph_come_back_after_a_routers_death(
         assert {sample.publisher_gid.hex() for sample in samples} == {gid}
     finally:
         participant.close()
+
+
+SHARED = "transport/shared_memory/enabled=true"
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="looks at /dev/shm")
+@pytest.mark.parametrize(("mine", "theirs"), [(True, True), (True, False), (False, True)])
+def test_large_samples_pass_by_shared_memory_only_where_both_ask_for_it(
+    domain_id: int, start_peer: Callable[..., Peer], monkeypatch, mine: bool, theirs: bool
+) -> None:
+    from tfloom.rmw.zenoh.wire import open_participant
+
+    sample = HEADER + bytes(range(250)) * 4000
+
+    def pass_both_ways() -> Peer:
+        if theirs:
+            monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", SHARED)
+        peer = start_peer()
+        monkeypatch.delenv("ZENOH_CONFIG_OVERRIDE", raising=False)
+        end, _ = peer("writer", list(TOPIC[:3]), list(LATCHED))
+        peer("write", end, sample.hex())
+        assert take_all(reader, 1)[0].data == sample
+        return peer
+
+    if mine:
+        monkeypatch.setenv("ZENOH_CONFIG_OVERRIDE", SHARED)
+    participant = open_participant(domain_id)
+    monkeypatch.delenv("ZENOH_CONFIG_OVERRIDE", raising=False)
+    try:
+        participant.add_node(NODE)
+        reader = participant.create_reader(NODE, TOPIC, LATCHED)
+        peer = pass_both_ways()
+        assert (mine and theirs) == bool(shared_files(peer.pid) & shared_files(os.getpid()))
+        # A killed one takes nothing with it, and the next one begins anew.
+        os.kill(peer.pid, signal.SIGKILL)
+        wait_until(lambda: reader.matched_count() == 0, what="the end of the killed peer")
+        pass_both_ways()
+    finally:
+        participant.close()
+
+
+def shared_files(pid: int) -> set[str]:
+    """Return the files of Zenoh in /dev/shm that a process has mapped."""
+    return set(re.findall(r"/dev/shm/\S+\.zenoh", Path(f"/proc/{pid}/maps").read_text()))
 
 
 IMPORTS = """

@@ -104,9 +104,7 @@ def expect_nothing_before_a_marker(ends: Ends, wait_until: Callable[..., None]) 
         end("close", key)
 
 
-def expect_the_last(
-    ends: Ends, key: str, depths: tuple[int, int], wait_until: Callable[..., None]
-) -> None:
+def expect_the_last(ends: Ends, key: str, depths: tuple[int, int], wait_until: Callable[..., None]) -> None:
     """A reader that does not take keeps as many of the last messages as its depth."""
     ends.reader("forget", key)
     ends.reader("hold")
