@@ -21,6 +21,7 @@ import transcript
 from test_usage import VERBS
 from tests.bag.written_bags import START_NS, read_by_rosbags, topic
 from tests.conftest import wait_until
+from tests.recorded_outputs import recorded_output
 
 from tfloom.bag import open_bag
 from tfloom.bag.reindexing import reindex
@@ -93,7 +94,7 @@ def test_bag_without_metadata_and_reindexing(bags: Path) -> None:
     assert found.exit_code == recorded.exit_code
     # A second line tells what to do: bag-errors of docs/deviations.md.
     assert found.text == f"{recorded.text}\n`ros2 bag reindex b5` writes one from its files"
-    recorded_lines = (transcript.GOLDEN / "bag_reindex.txt").read_text("utf-8")
+    recorded_lines = recorded_output("bag_reindex")
     found = transcript.run_here("bag", "reindex", "b5")
     assert found.exit_code == 0
     text = f"{found.text}\n{(bags / 'b5' / 'metadata.yaml').read_text('utf-8')}[exit 0]\n"
@@ -241,7 +242,7 @@ def test_lists() -> None:
         for kind in ("storage", "converter", "compressor", "decompressor")
         for line in transcript.run_here("bag", "list", kind).text.splitlines()
     ]
-    recorded = (transcript.GOLDEN / "bag_list.txt").read_text("utf-8").splitlines()
+    recorded = recorded_output("bag_list").splitlines()
     assert lines == recorded[1:-1]
     assert "zstd: " in transcript.run_here("bag", "list", "-v", "compressor").text
 

@@ -16,13 +16,13 @@ from typing import NamedTuple
 
 import pytest
 from tests.conftest import python_with
+from tests.recorded_outputs import recorded_output
 
 from tfloom.cli.main import main
 from tfloom.cli.shared.graph import MISSING
 from tfloom.launch.actions import executable
 from tfloom.launch.logs import logging as launch_logging
 
-GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 PROGRAM = Path(sys.executable).with_name("tfloom")
 NO_CONSTANTS: Mapping[str, float] = MappingProxyType({})
 
@@ -36,8 +36,8 @@ class Transcript(NamedTuple):
 
 
 def golden(name: str) -> Transcript:
-    """Return a recorded transcript by its file's name, without `.txt`."""
-    first, *lines = (GOLDEN / f"{name}.txt").read_text("utf-8").splitlines()
+    """Return a recorded transcript by its heading."""
+    first, *lines = recorded_output(name).splitlines()
     assert first.startswith("$ ros2 ")
     exit_code = re.fullmatch(r"\[exit (\d+)\]", lines.pop())
     assert exit_code

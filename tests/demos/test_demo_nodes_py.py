@@ -5,15 +5,14 @@ from __future__ import annotations
 import re
 import signal
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
 from tests.conftest import Program, python_with
+from tests.recorded_outputs import recorded_output
 from tests.spun import SpunNode, spun
 
 from tfloom.workspace import index
 
-GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
 NAMES = [
     *("add_two_ints_client", "add_two_ints_client_async", "add_two_ints_server", "async_param_client"),
     *("introspection", "listener", "listener_qos", "listener_serialized", "matched_event_detect"),
@@ -76,7 +75,7 @@ def test_programs_are_listed(start_program: Start) -> None:
 def test_listener_logs_the_messages_of_the_talker(start: Start, start_quick: Start) -> None:
     listeners = [start(name) for name in ("listener", "listener_qos", "listener_serialized")]
     talker = start_quick("talker", {"PERIOD_S": 0.3})
-    golden = (GOLDEN / "talker_log.txt").read_text().splitlines()[1:-1]
+    golden = recorded_output("talker_log").splitlines()[1:-1]
     talker.wait_for(golden[2].split("]: ")[1])
     assert masked(talker.lines)[:3] == masked(golden)[:3]
     listener, best_effort, serialized = listeners

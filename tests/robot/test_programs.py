@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from tests.cli.transcript import run_here
+from tests.recorded_outputs import recorded_output
 
 from tfloom.node.context.context import Context
 from tfloom.node.node import Node
@@ -22,7 +23,7 @@ STATE = "{header: auto, name: [shoulder, rail, roll], position: [0.3, 0.1, 1.0]}
 
 def golden(name: str) -> list[str]:
     """Return the reference's output, without the command, the signal's line, and the last and empty ones."""
-    lines = (GOLDEN / "cli" / f"{name}.txt").read_text().splitlines()[1:-1]
+    lines = recorded_output(name).splitlines()[1:-1]
     return "\n".join(line for line in lines if "signal_handler" not in line).rstrip("\n").splitlines()
 
 

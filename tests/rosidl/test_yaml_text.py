@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 import yaml
+from tests.recorded_outputs import recorded_output
 
 from tfloom.interfaces.builtin_interfaces.msg import Time
 from tfloom.interfaces.geometry_msgs.msg import (
@@ -33,12 +33,10 @@ from tfloom.rosidl.yaml_text import (
     set_message_fields,
 )
 
-GOLDEN = Path(__file__).parents[1] / "golden" / "cli"
-
 
 def printed(name: str) -> str:
     """Return what a golden command printed, without its first line, `---` and the exit code."""
-    lines = (GOLDEN / f"{name}.txt").read_text("utf-8").splitlines()[1:]
+    lines = recorded_output(name).splitlines()[1:]
     return "\n".join(line for line in lines if line != "---" and not line.startswith("[exit")) + "\n"
 
 
@@ -121,7 +119,7 @@ def test_non_ascii_text_is_unchanged() -> None:
 
 @pytest.mark.parametrize("name", ["badfield", "badvalue"])
 def test_errors_have_the_texts_of_the_reference(name: str) -> None:
-    command, said = (GOLDEN / f"topic_pub_{name}.txt").read_text("utf-8").splitlines()[:2]
+    command, said = recorded_output(f"topic_pub_{name}").splitlines()[:2]
     values = yaml.safe_load(command.split("'")[1])
     with pytest.raises((AttributeError, ValueError)) as raised:
         set_message_fields(Twist(), values)

@@ -8,16 +8,16 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.recorded_outputs import recorded_output
 
 from tfloom.tf2_tools.text import matrix_from_quaternion, rpy_from_matrix, transform_text
 
 ROOT = Path(__file__).parents[2]
-GOLDEN = ROOT / "tests" / "golden" / "cli"
 HALF = math.sqrt(0.5)
 
 
 def test_text_equals_that_of_the_reference() -> None:
-    golden = (GOLDEN / "tf2_echo.txt").read_text()
+    golden = recorded_output("tf2_echo")
     reference = golden[golden.index("At time") :].split("At time")[1]
     ours = transform_text(0, (1.0, 2.0, 3.0), (0.0, 0.0, HALF, HALF))
     stamp, _, rest = ours.removeprefix("At time").partition("\n")

@@ -7,7 +7,8 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from tests.cli.transcript import GOLDEN, golden, run_here, without_waiting
+from tests.cli.transcript import golden, run_here, without_waiting
+from tests.recorded_outputs import recorded_output
 
 # The start heading from which the turtle turns by the recorded angle.
 TELEPORT = (
@@ -45,7 +46,7 @@ def test_services_actions_and_parameters_match_the_recording(
     for _ in range(2):
         assert run_here(*TELEPORT).exit_code == 0
         replay("action_send_goal")
-    _, *lines, _ = (GOLDEN / "turtlesim_log.txt").read_text().splitlines()
+    _, *lines, _ = recorded_output("turtlesim_log").splitlines()
     log = [line for line in lines if line.startswith("[")]
     assert masked(turtlesim.output) == masked("\n".join(log))
     assert "param-exit-code" in deviations

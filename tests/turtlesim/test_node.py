@@ -6,16 +6,14 @@ import math
 import re
 import time
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import pytest
+from tests.recorded_outputs import recorded_output
 
 from tfloom.interfaces.geometry_msgs.msg import Twist
 from tfloom.interfaces.turtlesim.msg import Color, Pose
 from tfloom.node.parameters.parameter import Parameter
-
-GOLDEN = Path(__file__).parents[1] / "golden" / "cli" / "turtlesim_log.txt"
 
 
 def twist(ahead: float = 0.0, left: float = 0.0, turn: float = 0.0) -> Twist:
@@ -41,7 +39,7 @@ def test_startup_log_matches_the_reference(
 ) -> None:
     start_stage()
     lines = [masked(line) for line in capfd.readouterr().err.splitlines()]
-    assert lines == [masked(line) for line in GOLDEN.read_text().splitlines()[2:4]]
+    assert lines == [masked(line) for line in recorded_output("turtlesim_log").splitlines()[2:4]]
 
 
 @pytest.mark.timing

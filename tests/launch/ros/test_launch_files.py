@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 from tests.cli.transcript import run_here
 from tests.launch.ros.user import User, expect_clean_end, is_running, pids_of
+from tests.recorded_outputs import recorded_output
 
 from tfloom.interfaces.geometry_msgs.msg import PointStamped
 from tfloom.interfaces.turtlesim.msg import Pose
@@ -129,6 +130,5 @@ def test_demo_follows_the_given_frame(
     ],
 )
 def test_arguments_match_the_recording(file: str) -> None:
-    recorded = Path(__file__).parents[2] / "golden" / "cli" / "launch_show_args.txt"
     shown = run_here("launch", DEMO, file, "--show-args")
-    assert (shown.exit_code, shown.text.strip()) == (0, recorded.read_text("utf-8").strip())
+    assert (shown.exit_code, shown.text.strip()) == (0, recorded_output("launch_show_args").strip())

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 import yaml
 from hypothesis import given
 from hypothesis import strategies as st
+from tests.recorded_outputs import recorded_output
 
 from tfloom.tf2_tools.tree_pictures.records import FrameRecord, parse_frames_yaml, write_gv
 from tfloom.tf2_tools.view_frames import generate_dot
 
-GOLDEN = Path(__file__).parents[2] / "golden" / "cli"
 CAMERA_YAML = (
     "camera: \n  parent: 'world'\n  broadcaster: 'default_authority'\n  rate: 10000.000\n"
     "  most_recent_transform: 0.000000\n  oldest_transform: 0.000000\n  buffer_length: 0.000\n"
@@ -47,7 +45,7 @@ def test_any_frame_id_is_parsed(names: list[tuple[str, str]]) -> None:
 
 
 def test_graph_equals_that_of_the_reference() -> None:
-    golden = (GOLDEN / "view_frames_out.gv.txt").read_text()
+    golden = recorded_output("view_frames_out").removesuffix("\n")
     assert write_gv([CAMERA], 1795257550.7853734) == golden
 
 
