@@ -400,7 +400,9 @@ def what_is_said_on_stderr_ends_nothing(house: Path) -> list[str]:
             continue
         text = path.read_text("utf-8")
         lines = [text.count("\n", 0, match.start()) + 1 for match in prints.finditer(text)]
-        violations += [f"{place}:{line} prints on stderr; use terminal_text.report" for line in lines]
+        violations += [
+            f"{place}:{line} prints on stderr; use `report` of common/terminal.py" for line in lines
+        ]
     return violations
 
 

@@ -1,8 +1,9 @@
-"""`.ci/matrix`: which Pythons of a machine it runs the core tests on."""
+"""`.ci/`: which Pythons of a machine `matrix` runs the core tests on, and that what the scripts name is there."""
 
 from __future__ import annotations
 
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -77,3 +78,14 @@ def test_default_python_may_have_a_space_in_its_path(tmp_path: Path) -> None:
 def test_no_name_is_all_versions(tmp_path: Path) -> None:
     versions = [line.split()[0] for line in chosen(tmp_path, "3.11", [])]
     assert versions == ["3.10", "3.11", "3.12", "3.13", "3.14", "3.15", "3.13t", "3.14t"]
+
+
+def test_each_path_that_a_script_of_the_ci_names_is_there() -> None:
+    """A stage that is seldom run, as that of newer libraries, would fail for want of a folder that was moved."""
+    names = {
+        name
+        for script in (ROOT / ".ci").iterdir()
+        for name in re.findall(r"(?<![\w/])(?:tests|tools|docs)/[\w/.]*\w", script.read_text("utf-8"))
+    }
+    assert {"tests/foxglove", "tests/test_walk.py", "tools/set_up.py"} <= names
+    assert [name for name in sorted(names) if not (ROOT / name).exists()] == []
