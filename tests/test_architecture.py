@@ -243,8 +243,8 @@ VIOLATIONS: list[tuple[Rule, dict[str, str], list[str]]] = [
             "common/terminal.py": "import sys\ndef report(text):\n    print(text, file=sys.stderr)\n",
         },
         [
-            "rmw/x.py:2 prints on stderr; use terminal_text.report",
-            "rmw/x.py:3 prints on stderr; use terminal_text.report",
+            "rmw/x.py:2 prints on stderr; use `report` of common/terminal.py",
+            "rmw/x.py:3 prints on stderr; use `report` of common/terminal.py",
         ],
     ),
     (
@@ -438,5 +438,5 @@ HEAVY = {"numpy", "pygame", "PIL", "reportlab", "yaml", "asyncio"}
     ids=["help", "topic list", "launch"],
 )
 def test_quick_command_loads_no_heavy_module(arguments: list[str], heavy: set[str], domain_id: int) -> None:
-    loaded = modules_loaded_by("-m", "tfloom.cli", *arguments, ROS_DOMAIN_ID=str(domain_id))
+    loaded = modules_loaded_by("-m", "tfloom", *arguments, ROS_DOMAIN_ID=str(domain_id))
     assert not loaded & heavy

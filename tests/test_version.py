@@ -23,7 +23,6 @@ def classifiers() -> list[str]:
     ("command", "name"),
     [
         (["-m", "tfloom"], "tfloom"),
-        (["-m", "tfloom.cli"], "tfloom"),
         (["-c", "import sys, tfloom_ros2; sys.exit(tfloom_ros2.main())"], "ros2 (tfloom)"),
     ],
 )

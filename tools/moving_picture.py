@@ -63,7 +63,7 @@ def main() -> int:
 
 def record(folder: Path) -> Path:
     """Run the demonstration in a folder, and return its recording."""
-    command = [sys.executable, "-m", "tfloom.cli", "demo", "robot", "--seconds", f"{RECORDED_S}"]
+    command = [sys.executable, "-m", "tfloom", "demo", "robot", "--seconds", f"{RECORDED_S}"]
     subprocess.run(command, cwd=folder, check=True)
     return next(folder.iterdir())
 
@@ -72,7 +72,7 @@ def record(folder: Path) -> Path:
 def served(recording: Path) -> Iterator[str]:
     """Serve a recording for the block; give the address."""
     topics = [word for topic in ("/map", "/scan", "/robot_description") for word in ("--display", topic)]
-    command = [sys.executable, "-m", "tfloom.cli", "view", str(recording), "--no-open", "--port", "0"]
+    command = [sys.executable, "-m", "tfloom", "view", str(recording), "--no-open", "--port", "0"]
     with subprocess.Popen(
         [*command, "--fixed-frame", "map", *topics], stdout=subprocess.PIPE, text=True
     ) as view:

@@ -49,7 +49,7 @@ class Run(NamedTuple):
 @contextlib.contextmanager
 def turtlesim() -> Iterator[None]:
     """Run a turtlesim without a window for the block, which begins after it has started."""
-    command = [sys.executable, "-m", "tfloom.cli", "run", "turtlesim", "turtlesim_node", "--headless"]
+    command = [sys.executable, "-m", "tfloom", "run", "turtlesim", "turtlesim_node", "--headless"]
     # It logs to stderr.
     with subprocess.Popen(command, env=ENVIRONMENT, stderr=subprocess.PIPE, text=True) as process:
         try:

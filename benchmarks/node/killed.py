@@ -64,7 +64,7 @@ class Turns:
     def _list(self, name: str) -> None:
         start = time.monotonic()
         done = subprocess.run(
-            [sys.executable, "-m", "tfloom.cli", "node", "list"],
+            [sys.executable, "-m", "tfloom", "node", "list"],
             capture_output=True,
             text=True,
             env=self._environment,

@@ -34,7 +34,7 @@ ObjectPlan& plan_of(PyTypeObject* type) {
   auto plan = nb::steal(PyObject_GetAttr(reinterpret_cast<PyObject*>(type), key));
   if (!plan.is_valid()) {
     PyErr_Clear();
-    throw nb::type_error((std::string(type->tp_name) + " is no message class").c_str());
+    throw nb::type_error((std::string(type->tp_name) + " is not a message class").c_str());
   }
   if (plan.is_none()) {
     plan = message_hooks().compile(nb::borrow(reinterpret_cast<PyObject*>(type)));

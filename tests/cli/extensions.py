@@ -81,9 +81,7 @@ class TooNewVerb(VerbExtension):
 
 def run_cli(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
     """Run `tfloom` with a folder on the path, which has extensions."""
-    return run_to_end(
-        [sys.executable, "-m", "tfloom.cli", *words], env={**os.environ, "PYTHONPATH": str(folder)}
-    )
+    return run_to_end([sys.executable, "-m", "tfloom", *words], env={**os.environ, "PYTHONPATH": str(folder)})
 
 
 class Run(NamedTuple):

@@ -46,9 +46,9 @@ def test_verb_asks_the_graph_and_ends_on_its_own_errors(
     tmp_path: Path, domain_id: int, start_program: Callable[..., Any]
 ) -> None:
     install(tmp_path, ENTRY_POINTS)
-    start_program(
-        sys.executable, "-m", "tfloom.cli", "topic", "pub", "/a_topic", "std_msgs/msg/String"
-    ).wait_for("publishing #1")
+    start_program(sys.executable, "-m", "tfloom", "topic", "pub", "/a_topic", "std_msgs/msg/String").wait_for(
+        "publishing #1"
+    )
     first = run_cli(tmp_path, "topic", "first")
     assert (first.returncode, first.stdout, first.stderr) == (0, "/a_topic ['std_msgs/msg/String']\n", "")
     failed = run_here(tmp_path, "topic", "first", "--fail")

@@ -114,7 +114,7 @@ def test_derived_verb_runs_as_the_own_one_does(
 ) -> None:
     install(tmp_path, {"ros2topic.verb": {"bridged": "my_extensions:BridgedEchoVerb"}}, BRIDGED)
     start_program(
-        sys.executable, "-m", "tfloom.cli", "topic", "pub", "-r", "20", "/a", "std_msgs/msg/Int8", "{data: 7}"
+        sys.executable, "-m", "tfloom", "topic", "pub", "-r", "20", "/a", "std_msgs/msg/Int8", "{data: 7}"
     ).wait_for("publishing #1")
 
     run = partial(run_here, tmp_path, "topic", "bridged")

@@ -52,13 +52,13 @@ from tfloom.node.builtin.parameter_client import AsyncParameterClient
 from tfloom.node.clock.clock import Clock
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import timeout_sec_to_nsec
-from tfloom.node.executing.executor_exceptions import TimeoutException, TimeoutObject
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.timer import Timer
 from tfloom.node.log.rcutils_logger import RcutilsLogger
 from tfloom.node.node import Node
 from tfloom.node.values.duration import Duration
+from tfloom.node.values.exceptions import TimeoutException, TimeoutObject
 from tfloom.node.values.time import Time
 from tfloom.node.wait_for_message import wait_for_message
 from tfloom.tf2_ros.buffer_client import BufferClient

@@ -25,7 +25,6 @@ from tfloom.node.endpoints.client import NoResponseError
 from tfloom.node.executing.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
 from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.executing.executor import Executor
-from tfloom.node.executing.executor_exceptions import TimeoutException
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.signals import SignalHandlerGuardCondition
@@ -34,7 +33,7 @@ from tfloom.node.lifecycle.node import LifecycleNode
 from tfloom.node.node import Node
 from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.exceptions import ExternalShutdownException, TimeoutException
 from tfloom.node.values.time import Time
 from tfloom.node.wait_for_message import wait_for_message
 from tfloom.tf2.errors import TransformException

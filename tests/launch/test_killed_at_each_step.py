@@ -123,7 +123,7 @@ class Launched:
         self.last = 3 + 2 * on_wire
         """Number of the last process of the launch."""
         environment = {**os.environ, MARK: self.mark, "TMPDIR": str(self.temporary)}
-        self.program = start_program(sys.executable, "-m", "tfloom.cli", "launch", outer, env=environment)
+        self.program = start_program(sys.executable, "-m", "tfloom", "launch", outer, env=environment)
 
     def processes(self) -> list[psutil.Process]:
         """Return the processes of the launch that are alive, itself and its guardian included."""

@@ -57,7 +57,7 @@ def kill_launchers(
     for mark in marks:
         file = folder / f"{mark}.launch.py"
         file.write_text(FILE.format(mark=mark), "utf-8")
-        launchers.append(start_program(sys.executable, "-m", "tfloom.cli", "launch", file))
+        launchers.append(start_program(sys.executable, "-m", "tfloom", "launch", file))
     for launcher in launchers:
         launcher.wait_for("process started")
         time.sleep(random.uniform(0.0, MAX_DURATION_S))

@@ -17,11 +17,10 @@ from tfloom.node import client_library
 from tfloom.node.context.context import Context
 from tfloom.node.executing import executors, work_queue
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from tfloom.node.executing.executor_exceptions import ShutdownException
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.exceptions import ExternalShutdownException, ShutdownException
 
 SpinUntil = Callable[..., None]
 

@@ -29,11 +29,6 @@ from tfloom.node.executing.callback_groups import (
     ReentrantCallbackGroup,
 )
 from tfloom.node.executing.executor import Executor
-from tfloom.node.executing.executor_exceptions import (
-    ConditionReachedException,
-    ShutdownException,
-    TimeoutException,
-)
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.guard_condition import GuardCondition
 from tfloom.node.executing.task import Future
@@ -42,7 +37,12 @@ from tfloom.node.executing.waitable import NumberOfEntities, Waitable
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile
 from tfloom.node.values.duration import Duration
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+)
 
 WAIT_S = 20.0
 

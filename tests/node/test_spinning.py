@@ -22,7 +22,6 @@ from tfloom.node.executing.callback_groups import (
 )
 from tfloom.node.executing.events_executor import EventsExecutor
 from tfloom.node.executing.executor import Executor
-from tfloom.node.executing.executor_exceptions import ShutdownException, TimeoutException, TimeoutObject
 from tfloom.node.executing.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tfloom.node.executing.task import Future
 from tfloom.node.node import Node
@@ -32,6 +31,9 @@ from tfloom.node.values.exceptions import (
     InvalidHandle,
     RCLError,
     ROSInterruptException,
+    ShutdownException,
+    TimeoutException,
+    TimeoutObject,
 )
 
 EXECUTORS = [SingleThreadedExecutor, MultiThreadedExecutor, EventsExecutor]

@@ -106,7 +106,7 @@ def recorded(command: list[str], domain_id: int, port: int) -> list[str]:
 
 @contextmanager
 def running_router(port: int) -> Iterator[None]:
-    command = [sys.executable, "-m", "tfloom.cli", "zenoh", "router", "-l", f"tcp/127.0.0.1:{port}"]
+    command = [sys.executable, "-m", "tfloom", "zenoh", "router", "-l", f"tcp/127.0.0.1:{port}"]
     router = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:
         said = ""

@@ -139,9 +139,7 @@ def test_a_kernel_that_refuses_is_reported_and_nothing_fails(domain_id: int, tmp
     library = tmp_path / "refusing_kernel.so"
     subprocess.run(["cc", "-shared", "-fPIC", REFUSING, "-o", library, "-ldl"], check=True)
     preloaded = f"{os.environ.get('LD_PRELOAD', '')} {library}"  # a sanitizer's runtime is before it
-    done = run_to_end(
-        [sys.executable, "-m", "tfloom.cli", "doctor"], env={**os.environ, "LD_PRELOAD": preloaded}
-    )
+    done = run_to_end([sys.executable, "-m", "tfloom", "doctor"], env={**os.environ, "LD_PRELOAD": preloaded})
     assert done.returncode == 0, done.stdout + done.stderr
     lines = done.stdout.splitlines()
     (reach,) = (line for line in lines if "reach:" in line)

@@ -58,7 +58,7 @@ class Network:
         self.start_router(self.far, "-e", self._far_end)
 
     def start_router(self, host: Host, *words: str) -> Program:
-        router = self._start(*host.enter, sys.executable, "-m", "tfloom.cli", "zenoh", "router", *words)
+        router = self._start(*host.enter, sys.executable, "-m", "tfloom", "zenoh", "router", *words)
         router.wait_for("listening on")
         return router
 

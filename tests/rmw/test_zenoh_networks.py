@@ -35,7 +35,7 @@ class Site:
 
     def start_router(self) -> Program:
         """Start the host's router, and return it when it listens."""
-        command = (sys.executable, "-m", "tfloom.cli", "zenoh", "router", *self._router_words)
+        command = (sys.executable, "-m", "tfloom", "zenoh", "router", *self._router_words)
         self.router = self._start(*self.host.enter, *command)
         self.router.wait_for("listening on")
         return self.router

@@ -46,7 +46,7 @@ def commands(folder: Path) -> dict[str, tuple[object, ...]]:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
     program.chmod(0o755)
-    verb = (sys.executable, "-m", "tfloom.cli")
+    verb = (sys.executable, "-m", "tfloom")
     return {
         "rclpy": (sys.executable, "-c", f"import rclpy; {SHOW}"),
         "ros2 run": (*verb, "run", "my_pkg", "show"),

@@ -122,7 +122,7 @@ def test_a_command_prints_what_the_real_rclpy_publishes(
     wait_until(lambda: "ready" in publisher.lines, 60.0, "the publisher")
     quality = ("--qos-durability", "transient_local", "--qos-reliability", "reliable")
     environment = built.environment(OURS, domain_id)
-    words = ("-m", "tfloom.cli", "topic", "echo", "--once", *quality)
+    words = ("-m", "tfloom", "topic", "echo", "--once", *quality)
     topic = ("/topic_WStrings", "test_msgs/msg/WStrings")
     echo = start_program(sys.executable, *words, *topic, env=environment)
     assert echo.wait(60.0) == 0, echo.output

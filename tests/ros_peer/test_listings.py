@@ -31,7 +31,7 @@ def ros2(*words: str) -> str:
 
     A listing that must wait says so on stderr, which is not checked here.
     """
-    done = run_to_end([sys.executable, "-m", "tfloom.cli", *words], timeout_s=LISTING_S)
+    done = run_to_end([sys.executable, "-m", "tfloom", *words], timeout_s=LISTING_S)
     assert done.returncode == 0, done.stderr
     return done.stdout
 

@@ -122,7 +122,7 @@ def test_error_paths_of_nested_fields() -> None:
 
 def test_non_messages_raise() -> None:
     for wrong in (5, "abc", object(), Message):
-        with pytest.raises(TypeError, match="is no message class"):
+        with pytest.raises(TypeError, match="is not a message class"):
             cdr.encode(wrong)  # type: ignore[arg-type]
     with pytest.raises(TypeError):
         cdr.decode(int, b"")  # type: ignore[type-var]

@@ -263,5 +263,5 @@ def test_show_prints_the_file(share: Path) -> None:
         "All": MESSAGE.splitlines(),
         "Holder": ["All all", *(f"\t{line}" for line in MESSAGE.splitlines())],
     }.items():
-        done = run_to_end([sys.executable, "-m", "tfloom.cli", "interface", "show", f"my_msgs/msg/{name}"])
+        done = run_to_end([sys.executable, "-m", "tfloom", "interface", "show", f"my_msgs/msg/{name}"])
         assert (done.stdout.splitlines(), done.stderr) == (lines, "")

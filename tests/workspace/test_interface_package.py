@@ -332,7 +332,7 @@ def test_commands_know_the_package(source: Path, prefix: Path) -> None:
     installed = install(source, prefix)
 
     def tfloom(*words: str) -> str:
-        done = run("", installed, prefix, "-m", "tfloom.cli", *words)
+        done = run("", installed, prefix, "-m", "tfloom", *words)
         assert done.stderr == ""
         return done.stdout
 

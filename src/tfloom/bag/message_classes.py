@@ -36,7 +36,7 @@ def class_of(path: Path, topic: Topic) -> Any:
 def other_form(path: Path, topic: Topic) -> Form | None:
     """Return the form of a topic's definition where the class of its type has another one here, else None.
 
-    None also of a topic that can't be decoded, which `class_of` tells of.
+    None also of a topic that can't be decoded: `class_of` raises an error of it.
 
     Args:
         path: The recording.

@@ -73,7 +73,7 @@ def main(args: argparse.Namespace) -> int:
         from tfloom.cli.shared.child import run_child
 
         if isinstance(command, str):
-            command = [sys.executable, "-m", "tfloom.cli", "run", args.package_name, args.executable_name]
+            command = [sys.executable, "-m", "tfloom", "run", args.package_name, args.executable_name]
         try:
             prefix = shlex.split(args.prefix or "")
         except ValueError as error:

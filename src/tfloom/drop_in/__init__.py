@@ -10,7 +10,7 @@ Where `rclpy` is tfloom's, these are the classes of `tfloom.tf2_ros`, so that a 
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tfloom.drop_in.errors import (
     BackwardExtrapolationException,
@@ -29,8 +29,21 @@ if TYPE_CHECKING or has_rclpy():
     from tfloom.drop_in.buffer import Buffer
     from tfloom.drop_in.transform_listener import StaticTransformListener, TransformListener
 else:
-    from tfloom.drop_in.tfloom_listener import StaticTransformListener, TransformListener
+    from tfloom.tf2_ros import transform_listener
     from tfloom.tf2_ros.buffer import Buffer
+
+    class TransformListener(transform_listener.TransformListener):
+        """See `tfloom.tf2_ros.transform_listener`; `raw` has no effect, because each reader is tfloom's own."""
+
+        def __init__(self, buffer: Any, node: Any, *, raw: bool | None = None, **options: Any) -> None:
+            super().__init__(buffer, node, **options)
+
+    class StaticTransformListener(transform_listener.StaticTransformListener):
+        """See `TransformListener`."""
+
+        def __init__(self, buffer: Any, node: Any, *, raw: bool | None = None, **options: Any) -> None:
+            super().__init__(buffer, node, **options)
+
 
 __all__ = [
     "BackwardExtrapolationException",

@@ -38,18 +38,19 @@ from tfloom.node.executing.callback_groups import (
     ReentrantCallbackGroup,
 )
 from tfloom.node.executing.executor import Executor
-from tfloom.node.executing.executor_exceptions import (
-    ConditionReachedException,
-    ShutdownException,
-    TimeoutException,
-)
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.timer import TimerInfo
 from tfloom.node.executing.work_queue import MAX_BATCH_SIZE
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import QoSProfile, qos_profile_services_default
 from tfloom.node.values.duration import S_TO_NS
-from tfloom.node.values.exceptions import ExternalShutdownException, TimeSourceChangedError
+from tfloom.node.values.exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+    TimeSourceChangedError,
+)
 from tfloom.node.values.time import ClockType, Time
 from tfloom.node.values.type_support import MsgType, SrvTypeRequest, SrvTypeResponse
 from tfloom.node.values.wrong_arguments import not_callable

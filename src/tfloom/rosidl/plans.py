@@ -46,7 +46,7 @@ def _owner(cls: type[MessageClass]) -> type[MessageClass]:
         for base in cls.__mro__:
             if base.__dict__.get("_TYPE_NAME"):
                 return base
-    raise TypeError(f"{cls.__qualname__} is no message class")
+    raise TypeError(f"{cls.__qualname__} is not a message class")
 
 
 def _compile(owner: type[MessageClass]) -> Plan:

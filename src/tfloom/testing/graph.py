@@ -6,10 +6,10 @@ import time
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from tfloom.node.executing.executor_exceptions import TimeoutException
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tfloom.node.values.exceptions import TimeoutException
 from tfloom.testing.diagnosis import why_no_message, why_not_spun
 
 if TYPE_CHECKING:

@@ -9,10 +9,9 @@ from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
 from tfloom.node.context.context import Context
-from tfloom.node.executing.executor_exceptions import ShutdownException
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.parameters.parameter import Parameter
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.exceptions import ExternalShutdownException, ShutdownException
 from tfloom.robot.joint_state_publisher import JointStatePublisher
 from tfloom.robot.robot_state_publisher import RobotStatePublisher
 from tfloom.viewer.joints import JointRow, RobotJoints

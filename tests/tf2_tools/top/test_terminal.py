@@ -49,7 +49,7 @@ while True:
 WITH_A_TERMINAL = """
 import fcntl, os, sys, termios
 fcntl.ioctl(0, termios.TIOCSCTTY, 0)
-os.execv(sys.executable, [sys.executable, "-m", "tfloom.cli", *sys.argv[1:]])
+os.execv(sys.executable, [sys.executable, "-m", "tfloom", *sys.argv[1:]])
 """
 """Runs tfloom with standard input as its controlling terminal, whose Ctrl-C and Ctrl-Z it gets."""
 WITH_A_SHELL = """
@@ -61,7 +61,7 @@ if not program:
     os.setpgid(0, 0)
     os.tcsetpgrp(0, os.getpid())
     signal.signal(signal.SIGTTOU, signal.SIG_DFL)
-    os.execv(sys.executable, [sys.executable, "-m", "tfloom.cli", *sys.argv[1:]])
+    os.execv(sys.executable, [sys.executable, "-m", "tfloom", *sys.argv[1:]])
 while os.WIFSTOPPED(status := os.waitpid(program, os.WUNTRACED)[1]):
     os.kill(os.getpid(), signal.SIGSTOP)
     os.tcsetpgrp(0, program)

@@ -107,7 +107,7 @@ class ROSAdapter:
 
 
 def _spin(executor: SingleThreadedExecutor) -> None:
-    from tfloom.node.executing.executor_exceptions import ShutdownException
+    from tfloom.node.values.exceptions import ShutdownException
 
     with contextlib.suppress(ShutdownException):
         executor.spin_on_own_thread()

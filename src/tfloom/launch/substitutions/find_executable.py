@@ -75,7 +75,7 @@ def command_of(context: LaunchContext, name: str) -> list[str]:
 
     `ros2` and `xacro` are run by tfloom itself, unless PATH leads to others than those of this Python.
     """
-    here = [sys.executable, "-m", "tfloom.cli"]
+    here = [sys.executable, "-m", "tfloom"]
     own = {"ros2": here, "xacro": [*here, "run", "xacro", "xacro"]}.get(name)
     path = find_program(context, name)
     if own is not None and (path is None or Path(path).parent == _scripts_folder()):

@@ -13,12 +13,6 @@ from tfloom.common.seconds import checked_timeout, timeout_error
 from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import get_default_context, timeout_sec_to_nsec
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
-from tfloom.node.executing.executor_exceptions import (
-    ConditionReachedException,
-    ShutdownException,
-    TimeoutException,
-    TimeoutObject,
-)
 from tfloom.node.executing.offered_work import OfferedWork
 from tfloom.node.executing.running_work import RunningWork
 from tfloom.node.executing.signals import shutdown_exception
@@ -27,7 +21,13 @@ from tfloom.node.executing.temporarily_added import TemporarilyAdded
 from tfloom.node.executing.work_queue import MAX_BATCH_SIZE, Work
 from tfloom.node.values.callback_errors import report_exception
 from tfloom.node.values.duration import S_TO_NS
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+    TimeoutObject,
+)
 from tfloom.node.values.wrong_arguments import node_error
 from tfloom.ros_imports.guard import ros_repr
 

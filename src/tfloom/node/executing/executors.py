@@ -15,16 +15,16 @@ from tfloom.node.context.context import Context
 from tfloom.node.context.utilities import current_defaults, get_default_context
 from tfloom.node.executing.callback_groups import MutuallyExclusiveCallbackGroup
 from tfloom.node.executing.executor import Executor
-from tfloom.node.executing.executor_exceptions import (
-    ConditionReachedException,
-    ShutdownException,
-    TimeoutException,
-)
 from tfloom.node.executing.signals import defer_keyboard_interrupt_in, shutdown_exception
 from tfloom.node.executing.task import Future
 from tfloom.node.executing.work_queue import Work
 from tfloom.node.values.callback_errors import print_error
-from tfloom.node.values.exceptions import ExternalShutdownException
+from tfloom.node.values.exceptions import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownException,
+    TimeoutException,
+)
 
 if TYPE_CHECKING:
     from concurrent.futures import ThreadPoolExecutor

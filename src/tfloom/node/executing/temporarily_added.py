@@ -5,7 +5,7 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any, Protocol
 
-from tfloom.node.executing.executor_exceptions import ShutdownException
+from tfloom.node.values.exceptions import ShutdownException
 
 __all__ = ["TemporarilyAdded"]
 

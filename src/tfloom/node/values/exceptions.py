@@ -6,6 +6,7 @@ Exception
 ├── ROSInterruptException
 ├── TimeSourceChangedError
 ├── ExternalShutdownException
+├── TimeoutException, ShutdownException, ConditionReachedException   a wait of an executor ended
 └── RuntimeError
     ├── InvalidHandle
     └── RCLError
@@ -18,6 +19,7 @@ from __future__ import annotations
 from tfloom.ros_imports.guard import ros_home
 
 __all__ = [
+    "ConditionReachedException",
     "ExternalShutdownException",
     "ForkedProcessError",
     "InvalidHandle",
@@ -26,7 +28,10 @@ __all__ = [
     "NotInitializedException",
     "RCLError",
     "ROSInterruptException",
+    "ShutdownException",
     "TimeSourceChangedError",
+    "TimeoutException",
+    "TimeoutObject",
     "TimerCancelledError",
     "add_note",
 ]
@@ -82,6 +87,40 @@ class ExternalShutdownException(Exception):
 
     def __init__(self) -> None:
         super().__init__("the context was shut down, by a signal or by another thread")
+
+
+class TimeoutException(Exception):
+    """Nothing became ready in time for an executor."""
+
+    __module__ = ros_home("rclpy.executors", __name__)
+
+
+class ShutdownException(Exception):
+    """An executor that waited was shut down."""
+
+    __module__ = ros_home("rclpy.executors", __name__)
+
+
+class ConditionReachedException(Exception):
+    """The condition that an executor waited for is true."""
+
+    __module__ = ros_home("rclpy.executors", __name__)
+
+
+class TimeoutObject:
+    """A timeout [s] that may be changed between two waits; None and negative values mean no limit."""
+
+    def __init__(self, timeout: float | None) -> None:
+        self._timeout = timeout
+
+    @property
+    def timeout(self) -> float | None:
+        """The timeout [s]."""
+        return self._timeout
+
+    @timeout.setter
+    def timeout(self, timeout: float | None) -> None:
+        self._timeout = timeout
 
 
 class NoTypeSupportImportedException(Exception):
