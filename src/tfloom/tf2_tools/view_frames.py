@@ -113,11 +113,9 @@ def _content(tree: FrameTree, records: list[FrameRecord], file_format: str) -> b
     if file_format == "json":
         return json.dumps(tree_json(tree), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
     from tfloom.tf2_tools.drawing.formats import file_content
-    from tfloom.tf2_tools.tree_pictures.pictures import draw_page, draw_pages
+    from tfloom.tf2_tools.tree_pictures.pictures import draw_page, draw_pages, html_text
 
     if file_format == "html":
-        from tfloom.tf2_tools.tree_pictures.web_page import html_text
-
         return html_text(tree, draw_page(tree))
     return file_content(draw_pages(tree) if file_format == "pdf" else [draw_page(tree)], file_format)
 

@@ -1,9 +1,13 @@
-"""A tree of frames as pictures: a graph if it is small enough to be read as one, else an indented table."""
+"""A tree of frames as pictures, a graph if it is small enough to be read as one, else a table; and as a web page."""
 
 from __future__ import annotations
 
+import json
+import re
 from collections.abc import Iterator, Sequence
+from html import escape
 from itertools import pairwise
+from pathlib import Path as FilePath
 from typing import NamedTuple
 
 from tfloom.tf2_tools.drawing.colors import (
@@ -19,9 +23,10 @@ from tfloom.tf2_tools.drawing.colors import (
 )
 from tfloom.tf2_tools.drawing.fonts import elided, printable
 from tfloom.tf2_tools.drawing.shapes import Box, Group, Path, Pen, Picture, Shape, Text
+from tfloom.tf2_tools.drawing.svg import svg_text
 from tfloom.tf2_tools.tree_pictures.graph import Graph
 from tfloom.tf2_tools.tree_pictures.header import HEADING, MARGIN, Header, line_pen
-from tfloom.tf2_tools.tree_pictures.tree import DrawnEdge, FrameTree
+from tfloom.tf2_tools.tree_pictures.tree import DrawnEdge, FrameTree, tree_json
 
 GRAPH_SIZE = (1130.0, 780.0)
 """The longer and the shorter side of the largest graph that can be read at once: an A3 page, in points."""
@@ -29,6 +34,8 @@ GRAPH_FRAMES = 60
 """A larger tree is not tried as a graph."""
 A4 = (595.3, 841.9)
 """Points."""
+WEB_PAGE = FilePath(__file__).with_name("web_page.html")
+"""With a name in `@` where each text belongs; it has its style and its script in it, because it is one file."""
 
 
 def draw_page(tree: FrameTree) -> Picture:
@@ -40,6 +47,14 @@ def draw_pages(tree: FrameTree) -> list[Picture]:
     """Return the tree for printing: one page for a graph, or a table on pages of A4."""
     graph = _graph(tree)
     return [graph] if graph else pages(tree, A4)
+
+
+def html_text(tree: FrameTree, picture: Picture) -> str:
+    """Return a drawn tree as one web page: search, zoom, and the way from a frame to its root. It uses no network."""
+    data = json.dumps(tree_json(tree), ensure_ascii=True, allow_nan=False).replace("<", "\\u003c")
+    texts = {"@TITLE@": escape(picture.title), "@SVG@": svg_text(picture), "@DATA@": data}
+    # In one pass, because a frame may have the name of a place.
+    return re.sub("|".join(texts), lambda place: texts[place[0]], WEB_PAGE.read_text("utf-8"))
 
 
 def _graph(tree: FrameTree) -> Picture | None:
