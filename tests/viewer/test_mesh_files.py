@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import os
 import socket
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +19,7 @@ from tests.conftest import wait_until
 
 from tfloom.viewer import mesh_files
 from tfloom.viewer.mesh_files import read_model
+from tfloom.viewer.mesh_places import ENDINGS
 from tfloom.viewer.shapes import DisplayError
 
 ONE = (1.0, 1.0, 1.0)
@@ -99,6 +102,26 @@ def test_mesh_has_the_colour_that_is_given(tmp_path: Path) -> None:
             glb = read_model(f"file://{tmp_path}/{name}", ONE, color).glb
             mesh: Any = trimesh.load(io.BytesIO(glb), file_type="glb", force="mesh")
             assert mesh.visual.main_color.tolist() == [*color, 255]
+
+
+def test_each_format_is_read_with_what_the_extra_installs(tmp_path: Path) -> None:
+    """trimesh uses these where they are installed, and the extra `view` doesn't bring them."""
+    (tmp_path / "ball.dae").write_text(COLLADA.format(before="", unit="", up="Z_UP"))
+    for ending in ("stl", "obj", "ply", "glb"):
+        write_ball(tmp_path / f"ball.{ending}")
+    code = f"""
+import sys
+sys.modules.update(dict.fromkeys(("scipy", "networkx", "shapely", "lxml", "matplotlib")))  # each import fails
+from tfloom.viewer.mesh_files import read_model
+from tfloom.viewer.mesh_places import ENDINGS
+for ending in ENDINGS:
+    for color in (None, (255, 0, 0)):
+        print(ending, len(read_model("file://{tmp_path}/ball" + ending, {ONE}, color).glb) > 500)
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert run.stdout.split() == [
+        word for ending in ENDINGS for _ in range(2) for word in (ending, "True")
+    ], run.stderr
 
 
 def test_collada_with_entities_is_refused(tmp_path: Path) -> None:

@@ -119,7 +119,9 @@ def _glb(path: Path, data: bytes, color: Color | None) -> bytes:
         _check(mesh)
         mesh.apply_scale(unit_m)
         if color is not None:
-            mesh.visual = trimesh.visual.ColorVisuals(mesh, face_colors=[*color, 255])
+            # Of vertices, because trimesh needs scipy to write those of faces.
+            colors = np.tile(np.array([*color, 255], np.uint8), (len(mesh.vertices), 1))
+            mesh.visual = trimesh.visual.ColorVisuals(mesh, vertex_colors=colors)
         content = mesh.export(file_type="glb")
     except Exception as error:  # each format's reader has its own errors
         raise DisplayError(f"{path.name} is not a mesh that can be read: {error}") from None
