@@ -242,6 +242,15 @@ def test_xacro_finds_packages_around_it_and_takes_arguments(
     far.parent.mkdir()
     far.write_text(clone.read_text())
     assert f"file://{installed}/share/parts/meshes/a.stl" in read_robot(str(far)).text
+    # One of another clone counts after it.
+    other = folder.parent / "clones" / "other" / "parts"
+    (other / "urdf").mkdir(parents=True)
+    (other / "urdf" / "lift.xacro").write_text(LIFT)
+    (other / "package.xml").write_text("<package><name>parts</name></package>")
+    near = far.rename(other.parents[1] / "bot.xacro")
+    assert f"file://{installed}/share/parts/meshes/a.stl" in read_robot(str(near)).text
+    monkeypatch.delenv("AMENT_PREFIX_PATH")
+    assert f"file://{other}/meshes/a.stl" in read_robot(str(near)).text
 
 
 @pytest.mark.skipif(find_spec("xacro") is None, reason="needs the extra robot")
@@ -258,9 +267,19 @@ def test_xacro_in_a_file_of_urdf_is_expanded(clone: Path, monkeypatch: pytest.Mo
 @pytest.mark.skipif(find_spec("xacro") is None, reason="needs the extra robot")
 def test_package_that_xacro_finds_nowhere_is_named(clone: Path, capfd: pytest.CaptureFixture[str]) -> None:
     clone.write_text(XACRO.format(package="nowhere"))
-    hint = "; arguments of xacro follow the file, as NAME:=VALUE"
+    hint = "; arguments of xacro follow the file, as NAME:=VALUE; it has reach"
     assert complaint(str(clone)) == f"{clone} can't be expanded: the reason is above{hint}"
-    assert f"there is no package 'nowhere', and none around {clone.parent}" in capfd.readouterr().err
+    assert complaint(str(clone), "reach:=2") == f"{clone} can't be expanded: the reason is above"
+    first = capfd.readouterr().err.splitlines()[0]
+    assert first == f"error: there is no package 'nowhere', and none around {clone.parent}"
+
+
+@pytest.mark.skipif(find_spec("xacro") is None, reason="needs the extra robot")
+def test_argument_that_is_not_given_is_named(clone: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    clone.write_text(clone.read_text().replace('name="bot"', 'name="$(arg who)"', 1))
+    complaint(str(clone))
+    printed = capfd.readouterr().err.splitlines()
+    assert printed[0] == "error: Undefined substitution argument who (add who:=VALUE)"
 
 
 def test_arguments_that_nobody_takes_are_named(bot: Path) -> None:

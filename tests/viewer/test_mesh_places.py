@@ -32,6 +32,7 @@ def manifest(folder: Path, name: str) -> None:
         ("src/bot/meshes/a.stl", "bot"),  # the package that the description is in
         ("src/parts/meshes/a.stl", "parts"),  # one beside it
         ("src/checkout/meshes/a.stl", "bot_parts"),  # one whose manifest names it
+        ("src/checkout/arms/meshes/a.stl", "arms"),  # one of another clone
         ("share/parts/meshes/a.stl", "parts"),  # one that is installed in the same prefix
         ("src/bot/meshes/a.stl", "renamed"),  # the description's own, under another name
         ("src/bot/urdf/meshes/a.stl", "bot"),  # beside the description
@@ -44,6 +45,7 @@ def test_mesh_of_a_package_around_the_description(tmp_path: Path, mesh: str, nam
     near = tmp_path / "src" / "bot" / "urdf"
     near.mkdir(parents=True)
     manifest(tmp_path / "src" / "checkout", "bot_parts")
+    manifest(tmp_path / "src" / "checkout" / "arms", "arms")
     path = made(tmp_path / mesh)
     assert find_mesh(form.format(named), near).resolve() == path.resolve()
 

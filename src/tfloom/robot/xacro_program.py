@@ -21,7 +21,7 @@ from typing import Any, NoReturn
 
 from tfloom.common.terminal import report
 from tfloom.common.xml import guard_minidom
-from tfloom.workspace.packages_around import packages_around
+from tfloom.workspace.packages_around import packages_around, packages_of_clones
 
 __all__ = ["main"]
 
@@ -109,6 +109,7 @@ def _expand(limits: list[str], args: list[str]) -> int:
 
     guard_minidom()  # by which it reads
     xacro.eval_all = _counted(xacro, max_elements, max_s)
+    xacro.eval_extension = _explained(xacro)
     xacro.eval_text = _measured(xacro)
     xacro.process_file = _with_memory(xacro, max_bytes)
     if limits[4]:
@@ -180,6 +181,27 @@ def _counted(xacro: Any, max_elements: int, max_s: float) -> Callable[[Any, Any,
     return evaluate_within_limits
 
 
+def _explained(xacro: Any) -> Callable[[str], Any]:
+    """Return the library's function that evaluates `$(…)`, with errors that say once what is wrong, and what to do."""
+    from xacro import substitution_args
+
+    evaluate: Callable[[str], Any] = xacro.eval_extension
+
+    def evaluate_and_explain(text: str) -> Any:
+        try:
+            return evaluate(text)
+        except xacro.XacroException as error:
+            if isinstance(error.exc, substitution_args.ArgException):
+                error.suffix = f"(add {error.exc}:=VALUE)"
+            elif isinstance(
+                error.exc, xacro.XacroException
+            ):  # the library would print it twice, and its class
+                raise error.exc from None
+            raise
+
+    return evaluate_and_explain
+
+
 def _measured(xacro: Any) -> Callable[[Any, Any], Any]:
     """Return the library's function that evaluates a text, with a limit for what it yields."""
     evaluate: Callable[[Any, Any], Any] = xacro.eval_text
@@ -233,6 +255,8 @@ def _find_around(near: Path) -> None:
         try:
             return find(package)
         except LookupError:
+            if clones := packages_of_clones(near, package):
+                return str(clones[0])
             raise XacroException(f"there is no package '{package}', and none around {near}") from None
 
     names["_eval_find"] = find_around

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 import time
 from collections.abc import Iterator, Mapping, Sequence
@@ -44,6 +45,10 @@ MAX_BYTES = 64 * 1024 * 1024
 """Size of the largest file [bytes]."""
 XACRO_ELEMENT = b"<xacro:"
 HINT = "; arguments of xacro follow the file, as NAME:=VALUE"
+DECLARED = "; it has {names}"
+ARGUMENT = re.compile(rb"""<xacro:arg\s[^>]*?\bname\s*=\s*["'](\w+)["']""")
+MAX_NAMES = 12
+"""Number of arguments that are named."""
 DESCRIPTION_TOPIC = "/robot_description"
 MIN_AXES_M = 0.01
 AXES_PER_EXTENT = 0.06
@@ -107,10 +112,20 @@ def _expanded(path: Path, arguments: Sequence[str]) -> bytes:
         except SystemExit as end:
             code = 1 if end.code is None else int(end.code)
         if code:
-            raise DescriptionError(
-                f"{path} can't be expanded: the reason is above{'' if arguments else HINT}"
-            )
+            raise DescriptionError(f"{path} can't be expanded: the reason is above{_hint(path, arguments)}")
         return out.read_bytes()
+
+
+def _hint(path: Path, arguments: Sequence[str]) -> str:
+    """Return what helps where a file of xacro can't be expanded: that it takes arguments, and those it declares."""
+    given = {word.partition(":=")[0] for word in arguments}
+    with open_regular(path) as file:
+        declared = ARGUMENT.findall(read_at_most(file, MAX_BYTES) or b"")
+    names = [name for name in dict.fromkeys(name.decode() for name in declared) if name not in given]
+    if not names:
+        return "" if arguments else HINT
+    shown = ", ".join(names[:MAX_NAMES]) + (" and others" if len(names) > MAX_NAMES else "")
+    return HINT + DECLARED.format(names=shown)
 
 
 class DescribedTopics:

@@ -8,7 +8,7 @@ from urllib.parse import unquote, urlparse
 
 from tfloom.viewer.shapes import DisplayError
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
-from tfloom.workspace.packages_around import folders_above, packages_around
+from tfloom.workspace.packages_around import folders_above, packages_around, packages_of_clones
 
 __all__ = ["find_mesh"]
 
@@ -53,7 +53,8 @@ def _moved(path: Path, near: Path) -> Path:
     parts = path.parts
     for number, part in enumerate(parts[:-2]):
         if part == "share":
-            for folder in packages_around(near, parts[number + 1]):
+            package = parts[number + 1]
+            for folder in (*packages_around(near, package), *packages_of_clones(near, package)):
                 if (found := folder.joinpath(*parts[number + 2 :])).exists():
                     return found
     return path
@@ -64,6 +65,7 @@ def _find_in_package(package: str, rest: str, near: Path | None, uri: str) -> Pa
     places = [] if near is None else list(packages_around(near, package))
     with suppress(PackageNotFoundError, ValueError):
         places.append(get_package_share_path(package))
+    places += [] if near is None else packages_of_clones(near, package)
     # Last what is above the file: a package whose folder has another name, and no manifest.
     for place in [*places, *([] if near is None else folders_above(near))]:
         if (place / rest).exists():

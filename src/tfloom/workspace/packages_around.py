@@ -10,7 +10,7 @@ from pathlib import Path
 
 from tfloom.common.files import open_regular, read_at_most
 
-__all__ = ["folders_above", "packages_around"]
+__all__ = ["folders_above", "packages_around", "packages_of_clones"]
 
 MAX_LEVELS = 8
 """Number of folders above a file in which packages are looked for."""
@@ -30,8 +30,24 @@ def packages_around(near: Path, package: str) -> tuple[Path, ...]:
     return tuple(_find_packages(near, package))
 
 
+@functools.lru_cache(MAX_FOLDERS)
+def packages_of_clones(near: Path, package: str) -> tuple[Path, ...]:
+    """Return the folders of a package in other clones beside that of the folder `near`, as `src/CLONE/PACKAGE`.
+
+    They may be a stranger's, so an installed package counts before them.
+    """
+    if not _is_name(package):
+        return ()
+    beside = itertools.chain.from_iterable(map(_folders, folders_above(near)))
+    return tuple(found for folder in beside if _has_name(found := folder / package, package))
+
+
+def _is_name(package: str) -> bool:
+    return bool(re.fullmatch(r"[\w.-]+", package) and package.strip("."))
+
+
 def _find_packages(near: Path, package: str) -> Iterator[Path]:
-    if not re.fullmatch(r"[\w.-]+", package) or not package.strip("."):
+    if not _is_name(package):
         return
     above = folders_above(near)
     for folder in above:
