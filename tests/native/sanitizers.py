@@ -35,6 +35,18 @@ TESTS_OF_THE_WIRE = [
     "tests/rmw",
     # What Zenoh has in Python; its data reach the extension in test_zenoh_wire.py.
     "--ignore-glob=*/test_zenoh_[!w]*.py",
+    # What is Python alone, in this process or in those that it starts, which take seconds each under a sanitizer.
+    *(
+        f"--ignore=tests/rmw/test_{name}.py"
+        for name in (
+            "backends",
+            "compatibility",
+            "cyclone_config",
+            "cyclone_ports",
+            "loopback",
+            "ports_and_pages",
+        )
+    ),
     "tests/tf2_ros/test_lifetime.py",
     "tests/tf2_ros/test_wire.py",
 ]
