@@ -410,6 +410,7 @@ REQUESTERS = {
     "rmw/shared/service_request.py",
     "node/base/node_base.py",
     "node/implementation.py",
+    "bag/playing/played_goals.py",  # sends what was recorded to servers that may never answer
     "bag/playing/played_requests.py",  # sends what was recorded, and awaits no response
 }
 """What may open a client of a wire: the request without a node, a node's client, and what awaits no response."""

@@ -271,8 +271,6 @@ def test_calls_that_need_options_name_them(storage: Any) -> None:
 
 
 def test_options_that_cannot_be_used(storage: Any, tmp_path: Path) -> None:
-    with pytest.raises(NotImplementedError, match="goals can't be sent"):
-        rosbag2_py.Player(storage, play_options(send_actions_as_client=True))
     options = rosbag2_py.RecordOptions()
     options.input_serialization_format = "json"
     with pytest.raises(BagError, match="the serialization format is cdr, not 'json'"):

@@ -184,7 +184,6 @@ def test_play_shows_its_progress(write: Any) -> None:
         (["-i", "{bag}", "-i", "none"], "Bag path 'none' does not exist!"),
         (["-i", "{bag}", "odd"], "-i needs a path and a storage, sqlite3 or mcap, at most"),
         (["-i", "{bag}", "mcap", "mcap"], "-i needs a path and a storage"),
-        (["{bag}", "--send-actions-as-client"], "recorded goals can't be sent to action servers here"),
     ],
 )
 def test_arguments_that_cannot_be_used(arguments: list[str], said: str, write: Any) -> None:

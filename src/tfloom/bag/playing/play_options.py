@@ -8,12 +8,7 @@ from dataclasses import dataclass, field
 from tfloom.bag.topic_choice import TopicChoice, full_names
 from tfloom.rmw.qos import QoS
 
-__all__ = ["NO_GOALS", "PlayOptions", "parse_remaps"]
-
-NO_GOALS = (
-    "recorded goals can't be sent to action servers here: without --send-actions-as-client, the recorded feedback, "
-    "status and events are published"
-)
+__all__ = ["PlayOptions", "parse_remaps"]
 
 
 @dataclass
@@ -47,8 +42,10 @@ class PlayOptions:
     has_keyboard: bool = True
     publishes_requests: bool = False
     """Whether recorded requests are sent to services, in place of publishing their events."""
+    sends_goals: bool = False
+    """Whether recorded goals, cancellations and result requests are sent to action servers, in place of publishing."""
     is_client_source: bool = False
-    """Whether requests are those that clients recorded, not those of servers."""
+    """Whether requests and goals are those that clients recorded, not those of servers."""
     is_by_sent_time: bool = False
     """Whether messages are played by the times at which they were published, not received."""
     progress_hz: float = 0.0

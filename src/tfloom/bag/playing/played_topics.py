@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import time
 from collections import deque
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from tfloom.bag.bag import Bag
 from tfloom.bag.playing.play_options import PlayOptions
+from tfloom.bag.playing.played_goals import PlayedGoals
 from tfloom.bag.playing.played_requests import PlayedRequests
 from tfloom.bag.qos_profiles import offered, offers_differ
-from tfloom.bag.topic_choice import is_service_event, service_of_event
+from tfloom.bag.topic_choice import action_of, is_service_event, service_of_event
 from tfloom.bag.values import RawMessage, Topic
 from tfloom.bag.writing.definition_text import hash_of
 from tfloom.node.base.node_base import open_endpoint
@@ -27,22 +29,38 @@ CLOCK = "/clock"
 
 
 class PlayedTopics:
-    """Publishes the messages of the wanted topics of a bag. One thread at a time uses it."""
+    """Publishes the messages of the wanted topics of a bag. One thread at a time uses it.
 
-    def __init__(self, node: Node, bag: Bag, options: PlayOptions) -> None:
+    Args:
+        node: The node that publishes.
+        bag: The bag.
+        options: What is played.
+        is_stopped: Returns whether playing was stopped, which ends waits for action servers.
+    """
+
+    def __init__(self, node: Node, bag: Bag, options: PlayOptions, is_stopped: Callable[[], bool]) -> None:
         self._node = node
         self._bag = bag
         self._options = options
         self._publishers: dict[str, _RawPublisher] = {}
         self._requests: dict[str, PlayedRequests] = {}
+        self.goals = PlayedGoals(node, options.is_client_source, is_stopped) if options.sends_goals else None
+        """The client of the recorded actions, if there is to be one; its `run` is called on a thread."""
+        actions: list[Topic] = []
         publishes_clock = bool(options.clock_hz or options.clock_topics or options.is_clock_on_all)
         for topic in bag.topics.values():
             if topic.serialization_format != "cdr":
                 node.get_logger().warning(
                     f"Topic '{topic.name}' has the format '{topic.serialization_format}', and is not played."
                 )
-            elif self._is_wanted(topic) and not (publishes_clock and topic.name == CLOCK):
+            elif not self._is_wanted(topic) or (publishes_clock and topic.name == CLOCK):
+                continue
+            elif self.goals is not None and action_of(topic.name):
+                actions.append(topic)
+            else:
                 self._add(topic)
+        if self.goals is not None:
+            self.goals.add(actions, options.remaps)
         self._warn_of_missing()
 
     def _warn_of_missing(self) -> None:
@@ -61,15 +79,17 @@ class PlayedTopics:
     @property
     def names(self) -> set[str]:
         """The topics, by their names in the bag."""
-        return {*self._publishers, *self._requests}
+        return {*self._publishers, *self._requests, *(() if self.goals is None else self.goals.names)}
 
     def publish(self, message: RawMessage) -> None:
-        """Publish a message of one of these topics, or send the request that it records."""
+        """Publish a message of one of these topics, or send the request or the goal that it records."""
         publisher = self._publishers.get(message.topic)
         if publisher is not None:
             publisher.writer.write(message.data)
-        else:
-            self._requests[message.topic].send(message.data)
+        elif (requests := self._requests.get(message.topic)) is not None:
+            requests.send(message.data)
+        elif self.goals is not None:
+            self.goals.send(message.topic, message.data)
 
     def publish_kept(self, before_ns: int) -> None:
         """Publish what late subscriptions would have received at a time: the last messages of transient local topics.

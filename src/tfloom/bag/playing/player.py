@@ -63,7 +63,7 @@ class Player(Node):
         self.started = threading.Event()
         """Set when the first message may be published, and at the end, however early that comes."""
         self.get_logger().info(f"Set rate to {options.rate:g}")
-        self._topics = PlayedTopics(self, bag, options)
+        self._topics = PlayedTopics(self, bag, options, lambda: self.playback.is_stopped)
         self._publish_clock = self._clock_publisher()
         self._split_events = self.create_publisher(ReadSplitEvent, "events/read_split", 1)
         self._open_files = [0] * len(bag.parts)
@@ -85,6 +85,8 @@ class Player(Node):
         self._beginning = threading.Lock()
         """Guards the threads: one call at a time begins to play."""
         self._threads: list[threading.Thread] = []
+        self._goals_thread: threading.Thread | None = None
+        """Sends the goals of this play."""
         if options.has_keyboard:
             self.get_logger().info("Adding keyboard callbacks.")
             for line in _KEY_LINES:
@@ -163,18 +165,27 @@ class Player(Node):
             self._begin(self._publish_clock_regularly)
         if self._progress is not None and self.options.progress_hz > 0.0:
             self._begin(self._show_progress_regularly)
-        self._begin(self._play_all)
+        if self._topics.goals is not None:
+            self._goals_thread = self._begin(self._topics.goals.run)
+        try:
+            self._begin(self._play_all)
+        except BagError:
+            self._end_goals()
+            raise
 
-    def _begin(self, run: Callable[[], None]) -> None:
+    def _begin(self, run: Callable[[], None]) -> threading.Thread:
         thread = threading.Thread(target=run, daemon=True)
         try:
             thread.start()
         except RuntimeError as error:
             raise BagError(self.bag.path, f"it can't be played: {error}") from error
         self._threads = [*(running for running in self._threads if running.is_alive()), thread]
+        return thread
 
     def _play_all(self) -> None:
         try:
+            if self._topics.goals is not None:
+                self._topics.goals.wait_for_servers()
             self._play_once()
             while self.options.is_loop and not self.playback.is_stopped:
                 self._play_once()
@@ -188,9 +199,17 @@ class Player(Node):
             self.failure = BagError(self.bag.path, f"playing has ended: {type(error).__name__}: {error}")
             self.failure.__cause__ = error
         finally:
+            self._end_goals()
             self._show_progress(PlayStatus.STOPPED)
             self.started.set()
             self.ended.set()
+
+    def _end_goals(self) -> None:
+        """Wait until all goals were sent, and cancel those that have not ended, unless the bag's end was reached."""
+        if self._goals_thread is not None and self._topics.goals is not None:
+            self._topics.goals.end(cancels=self.failure is not None)
+            self._goals_thread.join()
+            self._goals_thread = None
 
     def _play_once(self) -> None:
         if self.options.delay_s > 0.0:
@@ -221,6 +240,8 @@ class Player(Node):
         self._open_files = [0] * len(self.bag.parts)
         self.started.set()
         self._publish_clock(start_ns)
+        if self._topics.goals is not None:
+            self._topics.goals.restart()
         self._topics.publish_kept(start_ns)
 
     def _publish(self, message: RawMessage) -> None:

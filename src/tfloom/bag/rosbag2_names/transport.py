@@ -159,13 +159,7 @@ class PlayOptions:
         self.progress_bar_separation_lines = 2
 
     def to_options(self) -> playing.PlayOptions:
-        """Return the options of a player.
-
-        Raises:
-            NotImplementedError: goals are to be sent, which isn't possible here.
-        """
-        if self.send_actions_as_client:
-            raise NotImplementedError(playing.NO_GOALS)
+        """Return the options of a player."""
         wanted = (
             self.topics_to_filter,
             self.services_to_filter,
@@ -205,6 +199,7 @@ class PlayOptions:
             read_ahead=self.read_ahead_queue_size,
             has_keyboard=not self.disable_keyboard_controls,
             publishes_requests=self.publish_service_requests,
+            sends_goals=self.send_actions_as_client,
             is_client_source=self.service_requests_source == ServiceRequestsSource.CLIENT_INTROSPECTION,
             is_by_sent_time=self.message_order == MessageOrder.SENT_TIMESTAMP,
             progress_hz=self.progress_bar_update_rate,

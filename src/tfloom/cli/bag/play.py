@@ -145,13 +145,17 @@ def _add_requests(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--send-actions-as-client",
         action="store_true",
-        help=help_since("kilted", "refused: recorded goals can't be sent to action servers here"),
+        help=help_since(
+            "kilted",
+            "send the recorded goals, cancellations and result requests to the action servers, in place of publishing "
+            "what is recorded of the actions",
+        ),
     )
     parser.add_argument(
         "--service-requests-source",
         choices=["service_introspection", "client_introspection"],
         default="service_introspection",
-        help="whose recorded requests are sent (default: the services')",
+        help="whose recorded requests and goals are sent (default: the services')",
     )
 
 
@@ -183,10 +187,6 @@ def _add_order_and_progress(parser: argparse.ArgumentParser) -> None:
 def main(args: argparse.Namespace) -> int:
     """Play until the bag's end, or Ctrl-C."""
     paths = play_arguments.paths_of(args)
-    if args.send_actions_as_client:
-        from tfloom.bag.playing.play_options import NO_GOALS
-
-        raise conventions.error(NO_GOALS)
     with conventions.explained():
         options = _options(args)
         with conventions.running_context(args.log_level):
@@ -213,6 +213,7 @@ def _options(args: argparse.Namespace) -> PlayOptions:
     options.wait_acked_ms = args.wait_for_all_acked
     options.has_keyboard = not args.disable_keyboard_controls
     options.publishes_requests = args.publish_service_requests
+    options.sends_goals = args.send_actions_as_client
     options.is_client_source = args.service_requests_source == "client_introspection"
     options.is_by_sent_time = args.message_order == "sent"
     options.progress_hz = args.progress_bar_update_rate
