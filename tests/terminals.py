@@ -8,8 +8,14 @@ import subprocess
 import sys
 
 
-def on_a_terminal(program: str, **environment: str) -> str:
-    """Run a Python program with a terminal for its output and its errors, and return what reaches the terminal."""
+def on_a_terminal(program: str, *, typed: str = "", **environment: str) -> str:
+    """Run a Python program with a terminal for its output and its errors, and return what reaches the terminal.
+
+    Args:
+        program: Its text.
+        typed: What is typed at the start, which the terminal shows, too.
+        environment: Variables of its environment, beside those of this process.
+    """
     ours, theirs = pty.openpty()
     present = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
     env = present | {"RMW_IMPLEMENTATION": "tfloom_local", "PYTHONUTF8": "1", "TERM": "xterm"} | environment
@@ -17,6 +23,7 @@ def on_a_terminal(program: str, **environment: str) -> str:
         [sys.executable, "-c", program], stdin=theirs, stdout=theirs, stderr=theirs, env=env
     )
     os.close(theirs)
+    os.write(ours, typed.encode())
     read = b""
     try:
         while part := os.read(ours, 65536):

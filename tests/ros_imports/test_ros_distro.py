@@ -34,6 +34,9 @@ from rclpy.context import Context
 from tfloom.node.action.goal_states import GoalEvent
 from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings, file_name
 from tfloom.cli.bag import play, record
+from tfloom.cli.main import COMMANDS
+from tfloom.cli.parser import build_parser
+from tfloom.cli.shared.picking import values_of_missing
 from tfloom.node.values.scalars import parse_value
 from tfloom.ros_imports import ros_distro
 
@@ -59,6 +62,12 @@ def feedback_while_canceling():
     goal.update(GoalEvent.CANCEL_GOAL)
     goal.publish_feedback(None)
     return server.calls
+
+def lacking_a_name():
+    try:
+        build_parser("ros2", COMMANDS, pick=values_of_missing).parse_args(["topic", "echo"])
+    except SystemExit:
+        return "usage"
 
 def enter():
     with Context() as context:
@@ -98,6 +107,7 @@ print(json.dumps({
     "LOSSES_HZ": record._options(parser.parse_args(["-a"])).losses_hz,
     "LOSSES_HZ, rosbag2_py": rosbag2_py.RecordOptions().statistics_max_publishing_rate,
     "PLAY_SHOWS_PROGRESS": play._options(playing.parse_args([sys.argv[1]])).progress_hz,
+    "NAMES_ARE_OPTIONAL": outcome(lacking_a_name),
     "READS_FLOAT_TAG": repr(parse_value("[!!float 10, !!float 0x10]")),
     "REMOVED": outcome(cache.getLastestTime),
     "metadata": writer.info().ros_distro,
@@ -130,6 +140,7 @@ OUTCOMES: dict[str, tuple[Any, Any, Any]] = {
     "LOSSES_HZ": (0.0, 0.0, 1.0),
     "LOSSES_HZ, rosbag2_py": (0.0, 0.0, 1.0),
     "PLAY_SHOWS_PROGRESS": (0, 3, 3),
+    "NAMES_ARE_OPTIONAL": ("usage", "usage", "CommandError"),
     "READS_FLOAT_TAG": ("[10, 16]", "[10, 16]", "[10.0, 16.0]"),
     "REMOVED": ("None", ["DeprecationWarning"], ["DeprecationWarning"]),
     "metadata": DISTRIBUTIONS,

@@ -277,8 +277,14 @@ def _sentence(error: Exception, prog: str) -> str | None:
     return None
 
 
+def _pick(*missing: Any) -> list[str]:
+    from tfloom.cli.shared.picking import values_of_missing  # which few command lines need
+
+    return values_of_missing(*missing)
+
+
 def _run(argv: Sequence[str] | None, prog: str) -> int:
-    parser = build_parser(prog, COMMANDS, _add_extensions)
+    parser = build_parser(prog, COMMANDS, _add_extensions, _pick)
     if "_ARGCOMPLETE" in os.environ:
         from tfloom.cli.tab_key import complete
 

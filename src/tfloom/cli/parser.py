@@ -64,6 +64,18 @@ One that asks for the terminal's width imports shutil and its compression, a twe
 """
 
 
+PickValues: TypeAlias = (
+    "Callable[[argparse.ArgumentParser, list[str], list[argparse.Action], argparse.Namespace], list[str]]"
+)
+"""Returns what the user picks for missing arguments: see `cli/shared/picking.py: values_of_missing`."""
+_REQUIRED = "the following arguments are required: "
+"""How argparse's error about missing arguments begins."""
+
+
+class _MissingError(Exception):
+    """Arguments are missing, which the text names as argparse does."""
+
+
 class VerbParser(argparse.ArgumentParser):
     """A parser for one word of the command line, which adds its arguments or verbs when it parses.
 
@@ -79,6 +91,7 @@ class VerbParser(argparse.ArgumentParser):
         group: Group | None = None,
         fill_extension: Callable[[VerbParser], None] | None = None,
         add_extensions: AddExtensions | None = None,
+        pick: PickValues | None = None,
         **options: Any,
     ) -> None:
         super().__init__(*args, **{"formatter_class": _UNSIZED, **options})
@@ -94,6 +107,10 @@ class VerbParser(argparse.ArgumentParser):
         self._hint_after_error: Callable[[argparse.Namespace], str] | None = None
         """Of a verb: returns what follows an error about its arguments, from those that were read before."""
         self._parsed = argparse.Namespace()
+        self.pick = pick
+        """Picks values for the missing arguments of a verb; None: they are an error."""
+        self._can_pick = False
+        """Whether arguments that are missing may be picked from a list, which is done once."""
 
     @property
     def words(self) -> dict[str, VerbParser]:
@@ -195,10 +212,29 @@ class VerbParser(argparse.ArgumentParser):
         """Parse as argparse does, after adding the verb's arguments."""
         self.fill()
         self._parsed = argparse.Namespace() if namespace is None else namespace
-        return super().parse_known_args(args, self._parsed)
+        self._can_pick = self.pick is not None
+        try:
+            return super().parse_known_args(args, self._parsed)
+        except _MissingError as error:
+            values = self._values_of_missing(str(error))
+            self._parsed = argparse.Namespace() if namespace is None else namespace
+            return super().parse_known_args([*values, *(args or ())], self._parsed)
+        finally:
+            self._can_pick = False
+
+    def _values_of_missing(self, message: str) -> list[str]:
+        """Return what the user picks for missing arguments; print the usage and exit if they can't be picked."""
+        self._can_pick = False
+        missing = message.removeprefix(_REQUIRED).split(", ")
+        values = self.pick(self, missing, self._get_positional_actions(), self._parsed) if self.pick else []
+        if not values:
+            self.error(message)
+        return values
 
     def error(self, message: str) -> NoReturn:
         """Print the usage and an error, with the verb's hint, and exit."""
+        if self._can_pick and message.startswith(_REQUIRED):
+            raise _MissingError(message)
         hint = "" if self._hint_after_error is None else self._hint_after_error(self._parsed)
         super().error(f"{message}{hint}")
 
@@ -211,7 +247,10 @@ _FOLDERS = frozenset({"doctor"})
 
 
 def build_parser(
-    prog: str, commands: Mapping[str, str | Group], add_extensions: AddExtensions | None = None
+    prog: str,
+    commands: Mapping[str, str | Group],
+    add_extensions: AddExtensions | None = None,
+    pick: PickValues | None = None,
 ) -> VerbParser:
     """Return the parser of the whole command line, without importing the verbs' modules.
 
@@ -219,6 +258,7 @@ def build_parser(
         prog: Name of the command: `tfloom` or `ros2`.
         commands: A summary or a group for each first word.
         add_extensions: Adds what installed packages add to these.
+        pick: Picks values for the missing arguments of verbs.
     """
     top = VerbParser(
         prog=prog,
@@ -245,6 +285,7 @@ def build_parser(
         else:
             summary = command.summary
             options = {"aliases": command.aliases, "group": command, "add_extensions": add_extensions}
+            options["pick"] = pick
         words.add_parser(word, help=summary, description=summary, prog=f"{prog} {word}", **options)
     return top
 
@@ -277,6 +318,7 @@ def _fill_group(parser: VerbParser, group: Group) -> None:
             description=summary,
             prog=f"{parser.prog} {verb}",
             code=group.code_of(word, verb),
+            pick=parser.pick,
         )
 
 

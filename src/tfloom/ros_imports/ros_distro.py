@@ -106,6 +106,8 @@ LOSSES_HZ = _choice(jazzy=0.0, kilted=0.0, lyrical=1.0)
 """How often a recorder says at most which messages were lost, unless a rate is given [Hz]; 0: it has no such topic."""
 PLAY_SHOWS_PROGRESS = _choice(jazzy=False, kilted=True, lyrical=True)
 """Whether `ros2 bag play` shows its progress on a terminal, unless `--progress-bar-update-rate` is given."""
+NAMES_ARE_OPTIONAL = _choice(jazzy=False, kilted=False, lyrical=True)
+"""Whether a verb that lacks a name says that there is no terminal to pick it on; otherwise it prints its usage."""
 READS_FLOAT_TAG = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether `!!float 10` in a file of parameters is a double; otherwise an integer."""
 

@@ -31,6 +31,7 @@ from tfloom.common.terminal import clear_terminal, report
 from tfloom.rmw.base import Graph, Participant, Sample
 from tfloom.rmw.qos import QoS
 from tfloom.rmw.shared.waiting import wait_for_token
+from tfloom.ros_imports.ros_distro import NAMES_ARE_OPTIONAL
 from tfloom.rosidl.message import Message
 
 REPORT_S = 1.0
@@ -68,6 +69,13 @@ def topics_of(args: argparse.Namespace) -> list[str]:
     Raises:
         CommandError: there are none and no --all, or both, or a name is not valid.
     """
+    if not args.all and not args.topic_name:
+        from tfloom.cli.shared import picking
+
+        if picking.has_terminal() and "verb_parser" in args:  # which a program of an extension may lack
+            args.topic_name = picking.picked(args.verb_parser, "topic_name", args, is_several=True)
+        elif NAMES_ARE_OPTIONAL:
+            raise CommandError(picking.NO_TERMINAL)
     if args.all == bool(args.topic_name):
         raise CommandError("name the topics, or give --all" + (" without names" if args.all else ""))
     return list(dict.fromkeys(map(full_topic_name, args.topic_name)))
