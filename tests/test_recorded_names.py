@@ -104,6 +104,10 @@ OF_LYRICAL = {
     "rclpy.time.Time.to_datetime": "(self)",
     "rclpy.timer.BaseTimer": "",
     "rclpy.type_support.ImplT": "",
+    "rosidl_pycommon.interface_base_classes.BaseAction": "",
+    "rosidl_pycommon.interface_base_classes.BaseImpl": "",
+    "rosidl_pycommon.interface_base_classes.BaseMessage": "",
+    "rosidl_pycommon.interface_base_classes.BaseService": "",
 }
 """Names that Lyrical adds to those of Kilted, with their parameters. There is no wheel to record them from."""
 

@@ -8,7 +8,7 @@ from typing import Any
 from tfloom.rosidl import class_table, sources, spec
 from tfloom.rosidl.class_modules import module_of_made
 from tfloom.rosidl.references import check_references
-from tfloom.rosidl.service import Action, Service
+from tfloom.rosidl.service import Action, ActionImpl, Service
 from tfloom.rosidl.type_hash import type_hash
 
 LOCK = threading.RLock()
@@ -98,7 +98,9 @@ def _action_class(action: spec.Action, parts: dict[str, Any]) -> type[Action]:
             "Result": parts[action.result.name],
             "Feedback": parts[action.feedback.name],
             "Impl": type(
-                "Impl", (), {"__doc__": "The services and messages that carry the action.", **carriers}
+                "Impl",
+                (ActionImpl,),
+                {"__doc__": "The services and messages that carry the action.", **carriers},
             ),
         },
     )

@@ -44,6 +44,10 @@ class Service(Generic[RequestT, ResponseT]):
         raise NotImplementedError("Service classes can not be instantiated")
 
 
+class ActionImpl:
+    """The base of `Impl` of action types: the services and messages that carry the action."""
+
+
 class Action(Generic[GoalT, ResultT, FeedbackT, FeedbackMessageT, ResultResponseT]):
     """An action type: `Goal`, `Result`, `Feedback`, and in `Impl` the services and messages that carry them."""
 
