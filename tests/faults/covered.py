@@ -7,6 +7,9 @@ OF_A_TEST = "- of a test: its exception fails that test"
 OF_THE_CALLER = "- called at once, for the caller, who gets the exception"
 NOT_CALLED = "- removed, or refused: it is not called"
 OF_A_GROUP = "- no executor calls it: its exception ends the node, see tests/node/test_async_node.py"
+OF_A_THREAD = (
+    "- a thread of its endpoint calls it, and reports its exception: tests/node/test_later_releases.py"
+)
 RARE = "- an event handler as the others: the wires lose no message that a test could provoke"
 
 _BY_FILE: dict[str, dict[str, str]] = {
@@ -142,6 +145,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "Context.remove_shutdown_hook(hook)": NOT_CALLED,
     },
     "node.endpoints.client": {
+        "Client.set_on_new_response_callback(callback)": OF_A_THREAD,
         "Client.__init__(executor)": OWN,
         "Client.__init__(other_type)": OWN,
         "Client.__init__(start_timer)": OWN,
@@ -150,9 +154,11 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "Publisher.__init__(event_callbacks)": "matched_of_publisher",
     },
     "node.endpoints.service": {
+        "Service.set_on_new_request_callback(callback)": OF_A_THREAD,
         "Service.__init__(callback)": "service",
     },
     "node.endpoints.subscription": {
+        "Subscription.set_on_new_message_callback(callback)": OF_A_THREAD,
         "Subscription.filter_samples(accepts)": OWN,
         "Subscription.__init__(callback)": "subscription",
         "Subscription.__init__(event_callbacks)": "matched_of_subscription",
@@ -199,6 +205,7 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "TaskRunner.create_task(callback)": "task",
     },
     "node.executing.timer": {
+        "Timer.set_on_reset_callback(callback)": OF_THE_CALLER,
         "Timer.__init__(callback)": "timer",
     },
     "node.executing.work_queue": {

@@ -13,6 +13,7 @@ from unittest.mock import Mock
 
 import pytest
 from tests.conftest import wait_until
+from tests.faults.test_threads import no_threads
 
 from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
@@ -35,7 +36,7 @@ from tfloom.node.parameters.parameter import Parameter
 from tfloom.node.qos.endpoint_info import EndpointTypeEnum, ServiceEndpointInfo
 from tfloom.node.qos.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile
 from tfloom.node.values.duration import Duration, Infinite
-from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.time import ClockType, Time
 
 MakeNode = Callable[..., Node]
@@ -464,3 +465,164 @@ def test_a_context_that_was_initialised_is_entered() -> None:
     assert not context.ok()
     with pytest.raises(RuntimeError, match="must only be called once"), context:
         pass
+
+
+def test_what_is_destroyed_by_itself_leaves_its_node(node: Node, executor: SingleThreadedExecutor) -> None:
+    publisher = node.create_publisher(String, "words", 1)
+    subscription = node.create_subscription(String, "words", print, 1)
+    timer, guard = node.create_timer(0.001, lambda: None), node.create_guard_condition(lambda: None)
+    service = node.create_service(AddTwoInts, "add", lambda _, response: response)
+    client = node.create_client(AddTwoInts, "add")
+    lists: list[tuple[Any, Callable[[], Any], Callable[[Any], bool]]] = [
+        (publisher, lambda: node.publishers, node.destroy_publisher),
+        (subscription, lambda: node.subscriptions, node.destroy_subscription),
+        (timer, lambda: node.timers, node.destroy_timer),
+        (guard, lambda: node.guards, node.destroy_guard_condition),
+        (service, lambda: node.services, node.destroy_service),
+        (client, lambda: node.clients, node.destroy_client),
+    ]
+    handlers = [*publisher.event_handlers, *subscription.event_handlers]
+    for end, owned, destroy in lists:
+        assert end in [*owned()]
+        end.destroy()
+        assert end not in [*owned()]
+        end.destroy()
+        assert not destroy(end)
+    assert not {*handlers} & {*node.waitables}
+    assert node.count_publishers("words") == node.count_subscribers("words") == 0
+    with node.create_timer(0.001, lambda: None) as timer:
+        assert timer in [*node.timers]
+    assert timer not in [*node.timers]
+    executor.spin_once(timeout_sec=0.01)
+
+
+class Told:
+    """The numbers that a callback of new data was called with."""
+
+    def __init__(self) -> None:
+        self.counts: list[int] = []
+        self.fails = False
+
+    def __call__(self, count: int) -> None:
+        self.counts.append(count)
+        if self.fails:
+            raise ValueError("of the callback")
+
+
+def test_messages_are_told_of_and_taken_once(
+    node_on_each_wire: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    node = node_on_each_wire
+    reported: list[Any] = []
+    monkeypatch.setattr(threading, "excepthook", lambda failure: reported.append(failure.exc_value))
+    got: list[str] = []
+    subscription = node.create_subscription(String, "words", lambda message: got.append(message.data), 3)
+    publisher = node.create_publisher(String, "words", 10)
+    wait_until(lambda: publisher.get_subscription_count() == 1)
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+
+        def send(*words: str) -> None:
+            for word in words:
+                publisher.publish(String(data=word))
+
+        def spin_until(condition: Callable[[], bool]) -> None:
+            wait_until(lambda: executor.spin_once(timeout_sec=0.01) or condition())
+
+        send("a")
+        told = Told()
+        wait_until(subscription.has_next)
+        subscription.handle.set_on_new_message_callback(told)
+        wait_until(lambda: sum(told.counts) == 1)  # what was there before
+        for number, word in enumerate(
+            ("b", "c", "d", "e"), 2
+        ):  # one by one: a reader may replace what nobody takes
+            send(word)
+            wait_until(lambda number=number: sum(told.counts) == number)
+        assert got == []
+        spin_until(lambda: got[-1:] == ["e"])
+        assert got == ["c", "d", "e"]  # of which its depth keeps three
+        told.fails = True
+        send("f")
+        spin_until(lambda: got[-1:] == ["f"])
+        wait_until(lambda: sum(told.counts) == 6)
+        wait_until(lambda: [str(error) for error in reported] == ["of the callback"])
+        other = Told()
+        subscription.handle.set_on_new_message_callback(other)
+        send("g")
+        spin_until(lambda: got[-1:] == ["g"])
+        wait_until(lambda: other.counts == [1])
+        subscription.handle.clear_on_new_message_callback()
+        subscription.handle.clear_on_new_message_callback()
+        send("h")
+        spin_until(lambda: got[-1:] == ["h"])
+        assert (sum(told.counts), other.counts) == (6, [1])
+        # A filter that is set later doesn't end it.
+        subscription.handle.set_on_new_message_callback(other)
+        subscription.set_content_filter("data = 'i'", [])
+        send("x", "i")
+        spin_until(lambda: got[-1:] == ["i"])
+        assert "x" not in got
+        wait_until(lambda: other.counts == [1, 1])
+    with pytest.raises(TypeError, match="must be callable"):
+        subscription.handle.set_on_new_message_callback(3)
+    with no_threads(), pytest.raises(RCLError, match="can't start new thread"):
+        subscription.handle.set_on_new_message_callback(Told())
+    with SingleThreadedExecutor(context=node.context) as executor:
+        executor.add_node(node)
+        publisher.publish(String(data="i"))
+        wait_until(lambda: executor.spin_once(timeout_sec=0.01) or got[-2:] == ["i", "i"])
+    before = threading.active_count()
+    subscription.handle.set_on_new_message_callback(other)
+    node.destroy_subscription(subscription)
+    wait_until(lambda: threading.active_count() <= before)
+    with pytest.raises(InvalidHandle):
+        subscription.handle.set_on_new_message_callback(other)
+
+
+def test_requests_and_responses_are_told_of(node_on_each_wire: Node) -> None:
+    node = node_on_each_wire
+
+    def add(request: Any, response: Any) -> Any:
+        response.sum = request.a + request.b
+        return response
+
+    service, client = node.create_service(AddTwoInts, "add", add), node.create_client(AddTwoInts, "add")
+    requests, responses = Told(), Told()
+    service.handle.set_on_new_request_callback(requests)
+    client.handle.set_on_new_response_callback(responses)
+    executor = MultiThreadedExecutor(2, context=node.context)
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    try:
+        assert client.wait_for_service(10.0)
+        for number in range(5):
+            response: Any = client.call(AddTwoInts.Request(a=number, b=1), timeout_sec=10.0)
+            assert response is not None
+            assert response.sum == number + 1
+        wait_until(lambda: sum(requests.counts) == sum(responses.counts) == 5)
+        service.handle.clear_on_new_request_callback()
+        client.handle.clear_on_new_response_callback()
+        response = client.call(AddTwoInts.Request(a=1, b=1), timeout_sec=10.0)
+        assert response.sum == 2
+        assert sum(requests.counts) == sum(responses.counts) == 5
+    finally:
+        executor.shutdown()
+        thread.join()
+
+
+def test_resets_of_a_timer_are_told_of(make_node: MakeNode) -> None:
+    timer = make_node("ticks").create_timer(100.0, lambda: None)
+    timer.reset()
+    timer.reset()
+    told = Told()
+    timer.handle.set_on_reset_callback(told)
+    assert told.counts == [2]
+    timer.reset()
+    assert told.counts == [2, 1]
+    timer.handle.clear_on_reset_callback()
+    timer.reset()
+    assert told.counts == [2, 1]
+    with pytest.raises(TypeError, match="must be callable"):
+        timer.handle.set_on_reset_callback(None)

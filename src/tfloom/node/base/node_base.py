@@ -764,6 +764,7 @@ class NodeBase:
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
         publisher.topic = topic
+        publisher.on_destroy = self.destroy_publisher
         entities.add_publisher(publisher)
         try:
             publisher.event_handlers = entities.watch(
@@ -871,6 +872,7 @@ class NodeBase:
             reader.close()
             raise
         subscription.topic = topic
+        subscription.on_destroy = self.destroy_subscription
         subscription.filter_by(content_filter)
         entities.add(subscription)
         try:
@@ -938,6 +940,7 @@ class NodeBase:
             logger=self.get_logger(),
         )
         service.srv_name = srv_name
+        service.on_destroy = self.destroy_service
         return entities.add(service)
 
     def create_client(
@@ -983,6 +986,7 @@ class NodeBase:
             other_type=lambda: other_type_text(entities.participant().graph, name, srv_type._TYPE_NAME),
         )
         client.srv_name = srv_name
+        client.on_destroy = self.destroy_client
         entities.add(client)
         entities.add(client.server_watch)
         return client
@@ -1038,9 +1042,9 @@ class NodeBase:
             raise ValueError(f"create_timer() {too_long('period', timer_period_sec)}")
         if (wrong_group := group_error(callback_group)) is not None:
             raise wrong_group
-        return self.__entities.add(
-            self.__timer(period_ns, callback, callback_group, clock, autostart=autostart)
-        )
+        timer = self.__timer(period_ns, callback, callback_group, clock, autostart=autostart)
+        timer.on_destroy = self.destroy_timer
+        return self.__entities.add(timer)
 
     def __timer(
         self,
@@ -1064,7 +1068,9 @@ class NodeBase:
             raise error
         entities = self.__entities
         group = callback_group or self.default_callback_group
-        return entities.add(GuardCondition(callback, group, context=self.context))
+        guard = GuardCondition(callback, group, context=self.context)
+        guard.on_destroy = self.destroy_guard_condition
+        return entities.add(guard)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate for a loop on a thread that doesn't spin the node.

@@ -127,7 +127,7 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
         self._look_at_types_s = time.monotonic() + LOOK_AT_TYPES_S
         self._reported_incompatibility = ""
         """The last warning of a server that can't answer, which is logged once."""
-        self._queue_switch = QueueSwitch(client_impl.notify)
+        self._queue_switch: QueueSwitch = QueueSwitch(client_impl.notify)
         """Wakes for a response either the executor or the thread that waits in `call`."""
         self._take_lock = threading.Lock()
         """Held until the request of a response that was taken is no longer pending."""
@@ -240,6 +240,25 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             self._queue_switch.restore(queue)
             self._context.remove_queue(queue)
             self._queues.append(queue)
+
+    def set_on_new_response_callback(self, callback: Callable[[int], Any]) -> None:
+        """Call a function, on a thread, with the number of responses that have arrived, whenever there are some.
+
+        Those that wait now are among the first. rclpy's handle has this name.
+
+        Args:
+            callback: Called with a number above 0.
+
+        Raises:
+            InvalidHandle: the client was destroyed.
+            TypeError: `callback` isn't callable.
+            RCLError: a thread can't be started.
+        """
+        self._set_on_new(callback)
+
+    def clear_on_new_response_callback(self) -> None:
+        """Undo `set_on_new_response_callback`."""
+        self._clear_on_new()
 
     def _notify(self, queue: ReadyQueue | None, token: int) -> None:
         self._queue_switch.attach(queue, token)  # of responses that no `call` receives

@@ -15,11 +15,14 @@ from tfloom.ros_imports.guard import ros_repr
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import TracebackType
 
     from typing_extensions import Self
 
     from tfloom._native import ReadyQueue
+    from tfloom.node.endpoints.arrivals import Arrivals
+    from tfloom.node.endpoints.queue_switch import QueueSwitch
     from tfloom.node.log.rcutils_logger import RcutilsLogger
     from tfloom.rosidl.message import Message
 
@@ -66,6 +69,9 @@ class Endpoint(Generic[WireEndpoint]):
 
     owner: Any = None
     """The node, as of an `Entity`."""
+
+    on_destroy: Callable[[Any], object] | None = None
+    """Called with this by the first `destroy`: the node forgets it."""
 
     def __init__(self, endpoint: WireEndpoint, name: str) -> None:
         self._endpoint = endpoint
@@ -124,10 +130,12 @@ class Endpoint(Generic[WireEndpoint]):
         return self
 
     def destroy(self) -> None:
-        """Leave the wire. Destroying again does nothing. The node's `destroy_…` method calls this."""
+        """Leave the wire. Destroying again does nothing. The node no longer has it then."""
         if not self._destroyed:
             self._destroyed = True
             self._endpoint.close()
+            if self.on_destroy is not None:
+                self.on_destroy(self)
 
     def __enter__(self) -> Self:
         return self
@@ -141,13 +149,18 @@ class Endpoint(Generic[WireEndpoint]):
 class ReceivingEndpoint(Endpoint[TakingEndpoint]):
     """An endpoint that receives, and posts to a queue when data has arrived."""
 
+    _attached: tuple[ReadyQueue | None, int] = (None, 0)
+    """The queue that this posts to, and its token there."""
+
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when data has arrived."""
+        self._attached = (queue, token)
         if not self._destroyed:
             self._notify(queue, token)
 
     def detach(self) -> None:
         """Stop posting the token."""
+        self._attached = (None, 0)
         if not self._destroyed:
             self._notify(None, 0)
 
@@ -170,6 +183,11 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
 
     takes_on_any_thread = True
 
+    _queue_switch: QueueSwitch | None = None
+    """Of an endpoint whose data other threads wait for, too."""
+    _arrivals: Arrivals | None = None
+    """Calls the function that was set to be told of new data. Only its thread takes from the wire then."""
+
     def __init__(
         self, endpoint: TakingEndpoint, name: str, incoming_type: type[Message], logger: RcutilsLogger
     ) -> None:
@@ -188,10 +206,61 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         if self._kept:  # nothing else says that there is some
             queue.post(token)
 
+    def _notify(self, queue: ReadyQueue | None, token: int) -> None:
+        if self._queue_switch is None:
+            super()._notify(queue, token)
+        else:
+            self._queue_switch.attach(queue, token)
+
+    def _set_on_new(self, callback: Callable[[int], Any]) -> None:
+        """Call a function with the number of items that arrive from now on, and of those that wait, on a thread.
+
+        Raises:
+            InvalidHandle: the endpoint was destroyed.
+            TypeError: it isn't callable.
+            RCLError: a thread can't be started.
+        """
+        # Imported where it is used, because few programs have executors of their own.
+        from tfloom.node.endpoints.arrivals import Arrivals
+        from tfloom.node.endpoints.queue_switch import QueueSwitch
+
+        self._alive()
+        if not callable(callback):
+            raise TypeError(f"a callback of new data must be callable, got {callback!r}")
+        self._clear_on_new()
+        if self._queue_switch is None:
+            switch = QueueSwitch(super()._notify)  # which finds an endpoint that was replaced
+            switch.attach(*self._attached)
+            self._queue_switch = switch
+        self._arrivals = Arrivals(self._queue_switch, self._collect, len(self._kept), callback)
+
+    def _clear_on_new(self) -> None:
+        """Undo `_set_on_new`."""
+        arrivals, self._arrivals = self._arrivals, None
+        if arrivals is not None:
+            arrivals.end()
+
+    def _collect(self) -> int:
+        """Take what has arrived from the wire, keep the newest of it, and return how many there were."""
+        count = 0
+        with self._kept_lock:
+            while not self._destroyed and (incoming := self._endpoint.take()) is not None:
+                self._kept.append(incoming)
+                count += 1
+                if len(self._kept) > self._history:
+                    self._kept.popleft()
+        return count
+
+    def destroy(self) -> None:
+        """As of an endpoint; the function that was told of new data is called no more."""
+        self._clear_on_new()
+        super().destroy()
+
     def has_next(self) -> bool:
         """Return whether there is an item, which stays here for whoever takes the next."""
         with self._kept_lock:
-            if not self._kept and not self._destroyed and (incoming := self._endpoint.take()) is not None:
+            is_empty = not self._kept and not self._destroyed and self._arrivals is None
+            if is_empty and (incoming := self._endpoint.take()) is not None:
                 self._kept.append(incoming)
             return bool(self._kept)
 
@@ -199,6 +268,8 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         """Remove and return the oldest item as the wire has it, or None."""
         kept, take = self._kept, self._endpoint.take
         with self._kept_lock:
+            if self._arrivals is not None:
+                return kept.popleft() if kept else None
             if not kept:
                 return take()
             # What waits here is part of the history, in which newer items have replaced it meanwhile.
@@ -212,7 +283,8 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         """Remove the oldest item and return it as `run` takes it, `UNREADABLE`, or None."""
         if self._destroyed:
             return None
-        incoming = self.take_incoming() if self._kept else self._take()
+        is_kept = self._kept or self._arrivals is not None
+        incoming = self.take_incoming() if is_kept else self._take()
         if incoming is None:
             return None
         try:

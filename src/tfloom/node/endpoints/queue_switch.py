@@ -51,6 +51,18 @@ class QueueSwitch:
             if len(self._waiting) == 1:
                 self._notify(queue, token)
 
+    def forward(self, queue: ReadyQueue) -> None:
+        """Post for whoever waits beside the thread of a queue, which took data and has not consumed them."""
+        with self._lock:
+            for other, token in (*self._waiting, self._usual):
+                if other is not None and other is not queue:
+                    other.post(token)
+
+    def refresh(self) -> None:
+        """Have the endpoint, which was replaced, post to where the former one did."""
+        with self._lock:
+            self._notify(*(self._waiting[0] if self._waiting else self._usual))
+
     def restore(self, queue: ReadyQueue) -> None:
         """Undo `divert`: post to the next thread that waits, or to the executor's queue."""
         with self._lock:

@@ -91,7 +91,7 @@ class ServiceEndpoint(Receiver[TakingEndpoint], Generic[TakingEndpoint, SrvTypeR
         self._introspection.configure(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
-        """Leave the service. Destroying again does nothing. The node's `destroy_…` method calls this."""
+        """Leave the service. Destroying again does nothing. The node no longer has it then."""
         self._introspection.close()
         super().destroy()
 
@@ -131,6 +131,25 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
         self._logger = logger
         self._refusal = ""
         self.callback = callback
+
+    def set_on_new_request_callback(self, callback: Callable[[int], Any]) -> None:
+        """Call a function, on a thread, with the number of requests that have arrived, whenever there are some.
+
+        Those that wait now are among the first. rclpy's handle has this name.
+
+        Args:
+            callback: Called with a number above 0.
+
+        Raises:
+            InvalidHandle: the service was destroyed.
+            TypeError: `callback` isn't callable.
+            RCLError: a thread can't be started.
+        """
+        self._set_on_new(callback)
+
+    def clear_on_new_request_callback(self) -> None:
+        """Undo `set_on_new_request_callback`."""
+        self._clear_on_new()
 
     def send_response(self, response: SrvTypeResponse, header: RequestId) -> None:
         """Send the response to the request of `header`.

@@ -101,8 +101,6 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
             self._history = max(qos_profile.depth, 1)
         self.raw = raw
         self._sink: Sink | None = None
-        self._queue: tuple[ReadyQueue, int] | None = None
-        """Of the executor that this is attached to, and the token there."""
         self.event_handlers: list[EventHandler] = []
         self._filter: ContentFilter | None = None
         self._is_filter_announced = False
@@ -134,21 +132,19 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         if self._sink is not None:
             self._sink.notify(None, 0)
         self._sink = sink
-        if self._queue is not None:
-            sink.notify(*self._queue)
+        if self._attached[0] is not None:
+            sink.notify(*self._attached)
         self._endpoint.feed(sink)
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` when data is received; for `spin_once` only, if it is pushed into a sink."""
         super().attach(queue, token)
-        self._queue = (queue, token)
         if self._sink is not None:
             self._sink.notify(queue, token)
 
     def detach(self) -> None:
         """Stop posting the token."""
         super().detach()
-        self._queue = None
         if self._sink is not None:
             self._sink.notify(None, 0)
 
@@ -161,6 +157,29 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         if self._sink is None:
             return super().take()
         return _FED if self._sink.take_pushed() else None
+
+    def set_on_new_message_callback(self, callback: Callable[[int], Any]) -> None:
+        """Call a function, on a thread, with the number of messages that have arrived, whenever there are some.
+
+        Those that wait now are among the first. rclpy's handle has this name.
+
+        Args:
+            callback: Called with a number above 0.
+
+        Raises:
+            InvalidHandle: the subscription was destroyed.
+            TypeError: `callback` isn't callable.
+            RCLError: a thread can't be started, or the messages are pushed into a sink.
+        """
+        if self._sink is not None:
+            raise RCLError(
+                "failed to set the callback of new messages: the messages are received without Python"
+            )
+        self._set_on_new(callback)
+
+    def clear_on_new_message_callback(self) -> None:
+        """Undo `set_on_new_message_callback`."""
+        self._clear_on_new()
 
     # Content filters
 
@@ -231,8 +250,10 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
             self._endpoint.accepts = accepts
             return
         self._endpoint = cast("Reader", FilteringReader(self._endpoint, accepts))
-        if self._queue is not None:
-            self._endpoint.notify(*self._queue)
+        if self._queue_switch is not None:
+            self._queue_switch.refresh()
+        elif self._attached[0] is not None:
+            self._endpoint.notify(*self._attached)
 
     def _accepts(self, sample: Sample) -> bool:
         content_filter = self._filter

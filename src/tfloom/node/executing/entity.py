@@ -123,6 +123,9 @@ class CallbackEntity(Entity):
     callback: Callable[..., Any] | None
     """None: it only wakes the executor."""
 
+    on_destroy: Callable[[Any], object] | None = None
+    """Called with this by the first `destroy`: the node forgets it."""
+
     _destroyed = False
     _queue: ReadyQueue | None = None
     _token = 0
@@ -144,6 +147,13 @@ class CallbackEntity(Entity):
         if self._destroyed:
             raise InvalidHandle(f"cannot use a {self._kind} that was destroyed")
         return self
+
+    def _end(self) -> None:
+        """Post no more tokens, and tell the node."""
+        was_destroyed, self._destroyed = self._destroyed, True
+        self.detach()
+        if not was_destroyed and self.on_destroy is not None:
+            self.on_destroy(self)
 
     def _post(self) -> None:
         queue = self._queue  # another thread may detach it meanwhile

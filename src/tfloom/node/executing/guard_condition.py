@@ -49,9 +49,8 @@ class GuardCondition(CallbackEntity):
         return self.take() is not None
 
     def destroy(self) -> None:
-        """Stop triggering."""
-        self._destroyed = True
-        self.detach()
+        """Stop triggering. The node no longer has it then."""
+        self._end()
 
     def attach(self, queue: ReadyQueue, token: int) -> None:
         """Post `token` at each trigger."""

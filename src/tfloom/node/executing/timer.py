@@ -151,6 +151,9 @@ class Timer(CallbackEntity):
         """Guards `_last_ns` and `_next_ns`; single reads take no lock."""
         self._last_ns = self._now_ns()
         self._next_ns = self._last_ns + self._period_ns
+        self._resets = 0
+        """How often it was reset since `_on_reset` was told of it. Guarded by `_lock`."""
+        self._on_reset: Callable[[int], Any] | None = None
         self._jump_handle: JumpHandle | None = None
         if self._ros_clock is not None:
             self._jump_handle = self._ros_clock.create_jump_callback(
@@ -217,7 +220,39 @@ class Timer(CallbackEntity):
             self._last_ns = self._now_ns()
             self._next_ns = self._last_ns + self._period_ns
             self._canceled = False
+            self._resets += 1
         self._post()
+        self._tell_resets()
+
+    def set_on_reset_callback(self, callback: Callable[[int], Any]) -> None:
+        """Call a function with the number of resets, on the thread of each; now, if there were some before.
+
+        rclpy's handle has this name.
+
+        Args:
+            callback: Called with a number above 0.
+
+        Raises:
+            TypeError: `callback` isn't callable.
+        """
+        self._alive()
+        if not callable(callback):
+            raise TypeError(f"a callback of resets must be callable, got {callback!r}")
+        self._on_reset = callback
+        self._tell_resets()
+
+    def clear_on_reset_callback(self) -> None:
+        """Undo `set_on_reset_callback`."""
+        self._on_reset = None
+
+    def _tell_resets(self) -> None:
+        callback = self._on_reset
+        if callback is None:
+            return
+        with self._lock:
+            count, self._resets = self._resets, 0
+        if count:
+            callback(count)
 
     def time_since_last_call(self) -> int:
         """Return the time since the last call, or since start or reset [ns]."""
@@ -230,9 +265,9 @@ class Timer(CallbackEntity):
         return None if self._canceled else self._next_ns - self._now_ns()
 
     def destroy(self) -> None:
-        """Stop calling the callback, permanently."""
-        self._canceled = self._destroyed = True
-        self.detach()
+        """Stop calling the callback, permanently. The node no longer has it then."""
+        self._canceled = True
+        self._end()
         if self._jump_handle is not None:
             self._jump_handle.unregister()
             self._jump_handle = None
