@@ -7,13 +7,18 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+from rosbags.highlevel import AnyReader
+from tests.bag.written_bags import topic
+
 from tfloom.bag import open_bag
 from tfloom.bag.playing.play_options import PlayOptions
 from tfloom.bag.playing.player import Player
 from tfloom.bag.recording.recorded_topics import RecordOptions
 from tfloom.bag.recording.recorder import Recorder
 from tfloom.bag.topic_choice import TopicChoice
-from tfloom.bag.writing.bag_writer import WriterSettings
+from tfloom.bag.writing.bag_writer import BagWriter, WriterSettings
+from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.node.context.context import Context
@@ -21,6 +26,7 @@ from tfloom.node.endpoints.service_introspection import ServiceIntrospectionStat
 from tfloom.node.executing.executors import SingleThreadedExecutor
 from tfloom.node.node import Node
 from tfloom.node.qos.qos import qos_profile_system_default
+from tfloom.rosidl import cdr
 
 
 def test_requests_are_recorded_and_sent_again(local_context: Context, tmp_path: Path) -> None:
@@ -111,3 +117,19 @@ def test_a_named_action_is_recorded_although_its_topics_are_hidden(
     with open_bag(tmp_path / "bag") as bag:
         assert sorted(bag.topics) == ACTION_TOPICS[:2]
         assert bag.message_count == 2
+
+
+@pytest.mark.parametrize("storage_id", ["mcap", "sqlite3"])
+def test_feedback_is_read_by_another_reader(storage_id: str, tmp_path: Path) -> None:
+    feedback = Fibonacci.Impl.FeedbackMessage
+    message = feedback(feedback=Fibonacci.Feedback(sequence=[1, 2]))
+    writer = BagWriter(tmp_path / "bag", WriterSettings(storage_id=storage_id))
+    writer.push(writer.add_topic(topic(ACTION_TOPICS[0], feedback._TYPE_NAME)), cdr.encode(message), 1, 1)
+    writer.close()
+    with AnyReader([tmp_path / "bag"]) as reader:
+        ((connection, _, data),) = reader.messages()
+        read: Any = reader.deserialize(data, connection.msgtype)
+    assert read.feedback.sequence.tolist() == [1, 2]
+    with open_bag(tmp_path / "bag") as bag:
+        ((_, ours),) = bag.read(ACTION_TOPICS[0])
+    assert ours == message

@@ -15,9 +15,11 @@ _SEPARATOR = "=" * 80
 
 
 def short_name(type_name: str) -> str:
-    """Return `package/Name` of `package/kind/Name`, as definitions refer to it."""
-    package, _, base = type_name.partition("/")
-    return f"{package}/{base.rpartition('/')[2]}"
+    """Return how definitions refer to a type: `package/Name` to `package/msg/Name`, and by its name to any other.
+
+    The parts of services and actions are such others: readers take `package/Name` for a message.
+    """
+    return type_name.replace("/msg/", "/", 1)
 
 
 def find_definition(type_name: str, type_hash: str = "") -> Definition | None:
