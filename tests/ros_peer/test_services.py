@@ -9,11 +9,14 @@ import os
 import signal
 from collections.abc import Callable
 from itertools import count
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import pytest
+from tests.bag.test_played_goals import cancellation, event, goal, result
+from tests.bag.test_played_goals import write as write_goals
 from tests.conftest import Program
-from tools.ros_peer import RosPeer
+from tools.ros_peer import KILTED, RosPeer
 
 from .conftest import FROM_US, HERE, OURS, THEIRS, TO_US, End, starter, vendors
 
@@ -201,6 +204,63 @@ def test_goals_succeed_and_are_canceled(sides: Sides) -> None:
     assert stopped["status"] == CANCELED
     assert stopped["canceling"] == 1
     assert len(stopped["sequence"]) < 40
+
+
+def recorded_goals(folder: Path, order: int) -> Path:
+    """Write a bag with the events of a server: a goal whose result is asked for, and one that is cancelled."""
+    return write_goals(
+        folder,
+        event(0, goal(order)),
+        event(1, result(order)),
+        event(1000, goal(100)),
+        event(1300, cancellation(100)),
+    )
+
+
+@pytest.mark.row("actions", direction=FROM_US)
+def test_recorded_goals_reach_a_server(
+    start_side: Callable[..., End],
+    start_program: Callable[..., Program],
+    tmp_path: Path,
+    wait_until: Callable[..., None],
+) -> None:
+    server = start_side(THEIRS, "the_server")
+    server("action_server", "/fibonacci")
+    bag = recorded_goals(tmp_path / "bag", len(FIBONACCI))
+    play = start_program("tfloom", "bag", "play", str(bag), "--send-actions-as-client")
+    assert play.wait() == 0
+    both = [[len(FIBONACCI), "succeeded"], [100, "canceled"]]
+    wait_until(lambda: server("ended") == both, what="the ends of both goals")
+    assert "left out" not in play.output
+
+
+@pytest.mark.row("actions", direction=FROM_US)
+@pytest.mark.parametrize("peer", [KILTED], indirect=True, scope="session", ids=["kilted"])
+def test_goals_that_a_server_has_recorded_are_sent_again(
+    start_side: Callable[..., End],
+    start_program: Callable[..., Program],
+    tmp_path: Path,
+    wait_until: Callable[..., None],
+) -> None:
+    """The events are those of the real rclpy, which has them from Kilted on."""
+    server, client = start_side(THEIRS, "the_server"), start_side(THEIRS, "the_client")
+    server("action_server", "/fibonacci")
+    server("introspect", "/fibonacci")
+    client("action_client", "/fibonacci")
+    record = start_program("tfloom", "bag", "record", "-o", str(tmp_path / "bag"), "--actions", "/fibonacci")
+    for service in ("send_goal", "cancel_goal", "get_result"):
+        record.wait_for(f"Subscribed to topic '/fibonacci/_action/{service}/_service_event'")
+    assert client("send_goal", "/fibonacci", len(FIBONACCI))["status"] == SUCCEEDED
+    assert client("send_goal", "/fibonacci", 100, True)["status"] == CANCELED
+    both = [[len(FIBONACCI), "succeeded"], [100, "canceled"]]
+    assert server("ended") == both
+    record.signal(signal.SIGINT)
+    assert record.wait() == 0
+    play = start_program("tfloom", "bag", "play", str(tmp_path / "bag"), "--send-actions-as-client")
+    assert play.wait() == 0
+    wait_until(
+        lambda: sorted(server("ended")) == sorted(both * 2), what="the ends of the goals that were sent again"
+    )
 
 
 @pytest.mark.row("parameters")

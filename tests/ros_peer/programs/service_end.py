@@ -37,6 +37,7 @@ class ServiceEnd:
         self._clients: dict[str, Any] = {}
         self._servers: dict[str, Any] = {}
         self._requests: Counter[tuple[int, int]] = Counter()
+        self._ended: list[Any] = []
         self._group = ReentrantCallbackGroup()
         self._free = threading.Event()
         self._pending: Any = None
@@ -152,11 +153,13 @@ class ServiceEnd:
             while len(sequence) < goal.request.order:
                 if goal.is_cancel_requested:
                     goal.canceled()
+                    self._ended.append([goal.request.order, "canceled"])
                     return Fibonacci.Result(sequence=sequence)
                 sequence.append(sequence[-1] + sequence[-2])
                 goal.publish_feedback(Fibonacci.Feedback(sequence=sequence))
                 time.sleep(STEP_S)
             goal.succeed()
+            self._ended.append([goal.request.order, "succeeded"])
             return Fibonacci.Result(sequence=sequence)
 
         self._servers[name] = ActionServer(
@@ -167,6 +170,19 @@ class ServiceEnd:
             cancel_callback=lambda _: CancelResponse.ACCEPT,
             callback_group=self._group,
         )
+
+    def introspect(self, name: str) -> None:
+        """Publish the events of an action server, with contents."""
+        from rclpy.qos import qos_profile_system_default
+        from rclpy.service_introspection import ServiceIntrospectionState
+
+        self._servers[name].configure_introspection(
+            self.node.get_clock(), qos_profile_system_default, ServiceIntrospectionState.CONTENTS
+        )
+
+    def ended(self) -> list[Any]:
+        """Return the goals that have ended, in order, each with its order and how it ended."""
+        return self._ended
 
     def action_client(self, name: str) -> None:
         client = ActionClient(self.node, Fibonacci, name, callback_group=self._group)
