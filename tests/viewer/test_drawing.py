@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import json
 from types import SimpleNamespace
 from typing import Any
 
@@ -12,6 +14,7 @@ from numpy.typing import NDArray
 from tfloom.tf2.transform import Transform
 from tfloom.viewer import drawing
 from tfloom.viewer.drawing import MAX_POINTS_SENT_AGAIN, Drawn, Pose
+from tfloom.viewer.frame_models import axes_glb, spikes_between
 from tfloom.viewer.shapes import Points
 
 RED = np.array((255, 0, 0), np.uint8)
@@ -115,3 +118,39 @@ def test_points_have_a_size_in_pixels_or_in_metres(monkeypatch: pytest.MonkeyPat
     assert size(size_m=0.5, size_px=2.0) == (-0.002, "square")
     monkeypatch.setattr(drawing, "HAS_PIXEL_POINTS", False)  # as with another client of viser
     assert size(size_m=0.4, size_px=3.0) == (0.4, "circle")
+
+
+def test_axes_are_prisms_of_the_colours_of_their_axes_that_are_seen_from_outside() -> None:
+    import trimesh
+
+    glb = axes_glb(0.05)
+    mesh = trimesh.load(io.BytesIO(glb), file_type="glb", force="mesh", process=False)
+    text_end = 20 + int.from_bytes(glb[12:16], "little")
+    start = text_end + 8 + json.loads(glb[20:text_end])["bufferViews"][1]["byteOffset"]
+    colors = np.frombuffer(glb, "<f4", 3 * len(mesh.vertices), start).reshape(-1, 3)
+    assert mesh.bounds == pytest.approx(np.array([[-0.05] * 3, [1.0] * 3]), abs=0.01)
+    for axis, part in enumerate(np.array_split(np.asarray(mesh.faces), 3)):
+        prism = trimesh.Trimesh(mesh.vertices, part, process=True)
+        assert prism.is_watertight
+        assert prism.volume == pytest.approx(
+            3.0 * 3.0**0.5 / 2.0 * 0.05**2, rel=1e-4
+        )  # below 0 where it is turned inside out
+        assert np.ptp(prism.vertices, axis=0).argmax() == axis
+        linear = np.zeros((len(np.unique(part)), 3))
+        linear[:, axis] = ((204 / 255 + 0.055) / 1.055) ** 2.4
+        assert colors[np.unique(part)] == pytest.approx(linear, abs=1e-3)
+
+
+def test_spikes_lead_from_the_first_to_the_second_end_whatever_the_direction() -> None:
+    chance = np.random.default_rng(1)
+    ends = chance.normal(size=(20, 2, 3))
+    ends[:4, 0] = 0.0
+    ends[:4, 1] = [(2.0, 0.0, 0.0), (-2.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 0.0, 0.0)]
+    spikes = spikes_between(ends, np.zeros((20, 3), np.uint8), 0.1)
+    assert np.linalg.norm(spikes.batched_wxyzs, axis=1) == pytest.approx(1.0)
+    for (start, end), (w, x, y, z), scale in zip(
+        ends, spikes.batched_wxyzs.tolist(), spikes.batched_scales.tolist(), strict=True
+    ):
+        tip = Transform(start.tolist(), (x, y, z, w)).apply((scale[0], 0.0, 0.0))
+        assert tip == pytest.approx(end.tolist(), abs=1e-5)
+        assert scale[1:] == pytest.approx([0.1, 0.1])

@@ -169,7 +169,7 @@ def test_length_of_axes_is_changed(node: Node, viewer: Viewer, page: Page) -> No
     page.send(op="hold", stamp_ns=str(111 * 10**9))
     wait_until(lambda: shown(viewer, "/frames/arrows") is not None, what="arrows")
     page.send(op="axes", length=2.0)
-    for name, attribute, value in (("axes", "axes_length", 2.0), ("arrows", "shaft_radius", 0.04)):
+    for name, attribute, value in (("axes", "batched_scales", 2.0), ("arrows", "shaft_radius", 0.04)):
         wait_until(
             lambda: getattr(shown(viewer, f"/frames/{name}"), attribute, 0) == pytest.approx(value),  # noqa: B023
             what=f"other {name}",

@@ -24,6 +24,8 @@ from tfloom.rmw.qos import DurabilityPolicy, QoS
 from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
+from tfloom.tf2.transform import Transform
+from tfloom.viewer import scene as scene_module
 from tfloom.viewer.displays.kinds import kind_of
 from tfloom.viewer.feed import Feed
 from tfloom.viewer.frames import FramePoses
@@ -33,6 +35,7 @@ from tfloom.viewer.plots import plots as plots_module
 from tfloom.viewer.plots.plots import MAX_PLOTS, Plots
 from tfloom.viewer.plots.series import Series
 from tfloom.viewer.program import Viewer
+from tfloom.viewer.scene import GREY, YELLOW
 from tfloom.viewer.shapes import Box, DisplayError
 from tfloom.viewer.topic_log import Cursor
 from tfloom.viewer.topics import LiveTopics
@@ -194,13 +197,42 @@ def test_frames_names_arrows_and_marks_come_again_after_they_were_gone(stage: St
     assert [number for number in range(9) if stage.node(f"/frames/names/{number}")] == [0, 1]  # used again
 
 
-def test_axes_of_another_length_are_other_nodes_at_the_same_places(stage: Stage) -> None:
+def test_axes_and_arrows_of_another_length_are_at_the_same_places(stage: Stage) -> None:
     scene = stage.scene
     for length_m in (0.3, 1.0, 1.0, 0.3):
         scene.draw_frames(frames("a", "b"), set(), with_names=False, axes_m=length_m)
-        assert stage.node("/frames/axes").axes_length == pytest.approx(length_m)
+        assert stage.node("/frames/axes").batched_scales == pytest.approx([length_m] * 2)
         assert stage.node("/frames/arrows").head_length == pytest.approx(length_m / 5.0)
         assert stage.node("/frames/axes").batched_positions.tolist() == [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]]
+
+
+def test_arrows_of_very_many_frames_are_spikes_and_few_are_arrows_again(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(scene_module, "MAX_ARROWS", 3)
+    scene = stage.scene
+    many = frames("a", "b", "c", "d", "e")
+    for _ in range(2):
+        scene.draw_frames(frames("a", "b", "c", "d"), set(), with_names=False)
+        assert stage.node("/frames/arrows").head_length > 0.0
+        assert stage.node("/frames/spikes") is None
+        for behind, more in ((set(), many), ({"c"}, many), (set(), frames(*"abcdefg"))):
+            scene.draw_frames(more, behind, with_names=False)
+            assert stage.node("/frames/arrows") is None
+            spikes = stage.node("/frames/spikes")
+            colors = [GREY if name in behind else YELLOW for name in more.names[1:]]
+            assert [tuple(color) for color in spikes.batched_colors.tolist()] == colors
+            # Each begins at its frame, and its tip is at the parent.
+            for number, child in enumerate(more.positions[1:]):
+                w, x, y, z = spikes.batched_wxyzs[number].tolist()
+                place = Transform(child.tolist(), (x, y, z, w))
+                tip = place.apply((float(spikes.batched_scales[number, 0]), 0.0, 0.0))
+                assert spikes.batched_positions[number] == pytest.approx(child)
+                assert tip == pytest.approx(more.positions[0].tolist(), abs=1e-4)
+        scene.draw_frames(many, set(), with_names=False, axes_m=3.0)
+        assert stage.node("/frames/spikes").batched_scales[:, 1:] == pytest.approx(0.1)
+        scene.draw_frames(many, set(), with_names=False, with_arrows=False)
+        assert stage.node("/frames/spikes") is None
 
 
 def test_shape_that_was_hidden_or_taken_away_is_drawn_again(stage: Stage) -> None:

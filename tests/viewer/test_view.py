@@ -137,7 +137,7 @@ def test_nodes_of_a_part_that_failed_are_drawn_again(stage: Stage, monkeypatch: 
     stage.view.command({"op": "trail", "frame": "a", "on": True})
     stage.draw()
     add = server_scene = stage.server.scene
-    for name in ("add_line_segments", "add_batched_axes", "add_arrows"):
+    for name in ("add_line_segments", "add_batched_glb", "add_arrows"):
         add = getattr(server_scene, name)
         with monkeypatch.context() as patch:
             patch.setattr(type(server_scene), name, lambda *_, **__: 1 / 0)
@@ -686,7 +686,7 @@ def test_axes_and_grid_need_no_topic(stage: Stage) -> None:
         ("Grid", "Grid", ""),
     ]
     (axes,), (grid,) = stage.drawn("Axes"), stage.drawn("Grid")
-    assert (axes.axes_length, axes.position[0]) == (3.0, 2.0)
+    assert (axes.batched_scales.tolist(), axes.position[0]) == ([3.0], 2.0)
     assert not stage.node("/floor").visible
     assert before is None or stage.view.extent() is not None
     assert grid.vertices.min(axis=0)[:2] == pytest.approx((-5.0, -5.0), abs=0.01)

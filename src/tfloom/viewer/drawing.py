@@ -12,6 +12,7 @@ from tfloom._native import move_points_float32
 from tfloom.tf2.transform import Transform
 from tfloom.viewer import shapes
 from tfloom.viewer.displays.display import MAX_COORDINATE_M
+from tfloom.viewer.frame_models import add_axes
 from tfloom.viewer.viser_private import HAS_PIXEL_POINTS, pixel_size
 
 if TYPE_CHECKING:
@@ -253,12 +254,13 @@ def _add_arrows(scene: SceneApi, name: str, shape: shapes.Arrows) -> Any:
 
 
 def _add_axes(scene: SceneApi, name: str, shape: shapes.Axes) -> Any:
-    return scene.add_batched_axes(
+    return add_axes(
+        scene,
         name,
         shape.rotations_xyzw[:, [3, 0, 1, 2]],
         shape.positions,
-        axes_length=max(shape.length_m, MIN_SIZE_M),
-        axes_radius=max(shape.radius_m, MIN_SIZE_M),
+        max(shape.length_m, MIN_SIZE_M),
+        max(shape.radius_m, MIN_SIZE_M),
     )
 
 

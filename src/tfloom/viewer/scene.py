@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from tfloom.viewer.drawing import Drawn, Pose, shown_name
+from tfloom.viewer.frame_models import Spikes, add_axes, add_spikes, spikes_between
 from tfloom.viewer.frames import FramePoses
 from tfloom.viewer.layout.layout import DEFAULT_AXES_M
 from tfloom.viewer.page_command import fault_text
@@ -23,6 +24,8 @@ __all__ = ["NamedFrames", "Scene"]
 
 MOVED_M = 1e-6
 """The place of a name that has moved less stays where it is [m]."""
+MAX_ARROWS = 500
+"""Number of arrows to parents; more are spikes, because without a graphics card arrows take long to draw."""
 YELLOW = (255, 205, 60)
 GREY = (120, 120, 125)
 CYAN = np.array((80, 230, 255), np.uint8)
@@ -63,6 +66,7 @@ class Scene:
         self._axes_names: list[str] = []
         self._grey: Any = None
         self._arrows: Any = None
+        self._spikes: Any = None
         self.named = NamedFrames()
         """The frames whose names pages may show."""
         self._places: dict[str, Any] = {}
@@ -114,12 +118,11 @@ class Scene:
             with_axes: Whether to draw their axes.
             with_arrows: Whether to draw arrows to their parents.
         """
-        if axes_m != self._axes_m:  # other sizes are other nodes
+        if axes_m != self._axes_m:  # arrows of other sizes are another node
             self._axes_m = axes_m
-            handles = [handle for handle in (self._axes, self._arrows) if handle is not None]
-            self._axes = self._arrows = None
-            for handle in handles:
-                handle.remove()
+            arrows, self._arrows = self._arrows, None
+            if arrows is not None:
+                arrows.remove()
         is_behind = np.array([name in behind for name in poses.names], bool)
         self._draw_axes(poses, ~is_behind & with_axes, axes_m)
         self._draw_grey_axes(poses, is_behind & with_axes, axes_m)
@@ -133,20 +136,19 @@ class Scene:
         positions = poses.positions[is_fresh].astype(np.float32)
         # A click is told by its number among the axes, so the names are exchanged before the node is.
         self._axes_names = names
-        if self._axes is not None and len(names) == len(self._axes.batched_positions):
-            self._axes.batched_positions = positions
-            self._axes.batched_wxyzs = wxyzs
-            return
-        # A node takes the place of another one of its name.
         if not names:
             axes, self._axes = self._axes, None
             if axes is not None:
                 axes.remove()
             return
-        self._axes = self._scene.add_batched_axes(
-            "/frames/axes", wxyzs, positions, axes_length=axes_m, axes_radius=axes_m / 25.0
-        )
-        self._axes.on_click(self._clicked)
+        if self._axes is None or len(names) != len(self._axes.batched_positions):
+            # Another node, because a page that looks for what is clicked among these sorts them when it gets the node.
+            self._axes = add_axes(self._scene, "/frames/axes", wxyzs, positions, axes_m, axes_m / 25.0)
+            self._axes.on_click(self._clicked)
+            return
+        self._axes.batched_positions = positions
+        self._axes.batched_wxyzs = wxyzs
+        self._axes.batched_scales = np.full(len(names), axes_m, np.float32)
 
     def _clicked(self, event: Any) -> None:
         number, names = event.instance_index, self._axes_names
@@ -179,12 +181,29 @@ class Scene:
         children = poses.links() if is_shown else np.empty(0, np.intp)
         pairs = np.stack([poses.positions[children], poses.positions[poses.parents[children]]], axis=1)
         ends = pairs.astype(np.float32)
-        colors = np.where(is_behind[children, np.newaxis], np.array(GREY), np.array(YELLOW)).astype(np.uint8)
+        is_grey = is_behind[children, np.newaxis]
+        colors = np.where(is_grey, np.array(GREY), np.array(YELLOW)).astype(np.uint8)
+        are_spikes = len(children) > MAX_ARROWS
+        self._draw_spikes(spikes_between(pairs, colors, axes_m / 30.0) if are_spikes else None)
+        if are_spikes:
+            ends, colors = ends[:0], colors[:0]
         sizes = {"shaft_radius": axes_m / 50.0, "head_radius": axes_m / 15.0, "head_length": axes_m / 5.0}
         add = partial(self._scene.add_arrows, "/frames/arrows", ends, colors, **sizes)
         self._arrows = _set_ends(self._arrows, ends, add)
         if self._arrows is not None and not np.array_equal(self._arrows.colors, colors):
             self._arrows.colors = colors
+
+    def _draw_spikes(self, spikes: Spikes | None) -> None:
+        """Draw spikes in place of arrows; None: none."""
+        if spikes is None:
+            before, self._spikes = self._spikes, None
+            if before is not None:
+                before.remove()
+        elif self._spikes is None:
+            self._spikes = add_spikes(self._scene, "/frames/spikes", spikes)
+        else:
+            for name, values in spikes._asdict().items():
+                setattr(self._spikes, name, values)
 
     def places(self, names: Collection[str]) -> dict[str, str]:
         """Have a node at each of some frames, to which pages attach names; return the nodes' names.
