@@ -59,6 +59,8 @@ class Scene:
         """What the server has set of the camera."""
         self.updates = 0
         """How many arrays have come."""
+        self.messages = 0
+        """How many messages have come."""
 
     def wait_for(self, condition: Callable[[], Any]) -> Any:
         """Take messages until a condition is true; return its value."""
@@ -71,7 +73,13 @@ class Scene:
                 self._take(message)
         return value
 
+    def tell_drawn(self, count: int | None = None) -> None:
+        """Tell how many messages are drawn; None: all that have come."""
+        said = {"type": "TfloomDrawn", "count": self.messages if count is None else count}
+        self.socket.send(msgspec.msgpack.encode(said))
+
     def _take(self, data: bytes) -> None:
+        self.messages += 1
         size, packed = struct.unpack_from("<QQ", data)
         unpacked = zstandard.ZstdDecompressor().decompress(data[16 : 16 + packed], max_output_size=size)
         batch = msgspec.msgpack.decode(unpacked)

@@ -7,12 +7,13 @@ import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable
-from contextlib import ExitStack, closing
+from contextlib import ExitStack, closing, suppress
 
+import msgspec
 import numpy as np
 import psutil
 import pytest
-from tests.conftest import Program, wait_until
+from tests.conftest import TIMEOUT_S, Program, wait_until
 from tests.viewer.conftest import Page
 from tests.viewer.messages import cloud
 from tests.viewer.scenes import Scene, connect_scene, take_all
@@ -144,6 +145,57 @@ def test_scene_that_takes_nothing_costs_no_queue(
         scene.wait_for(has_the_last)
         assert len(shown) < count / 2, "clouds were kept for a page that took none"
         scene.socket.close()
+
+
+def test_scene_that_draws_slowly_gets_the_newest_cloud_when_it_has_drawn_one(
+    node: Node, viewer: Viewer, open_page: OpenPage
+) -> None:
+    """A browser takes all that comes, and would collect what it can't draw: it is sent no more until it has drawn."""
+    publisher = node.create_publisher(PointCloud2, "/points", 1)
+    frames = Frames(node)
+    page = open_page(viewer)
+    scene = Scene(port_of(viewer), page)
+    show_cloud(page, publisher, frames)
+    shown: set[float] = set()
+
+    def take() -> set[float]:
+        shown.update(float(array[0]) for (_, key), array in scene.arrays.items() if key == "points")
+        return shown
+
+    def draw(number: int) -> None:
+        """Publish a cloud until the viewer has it in its scene; take what comes meanwhile."""
+        publisher.publish(points(number))
+
+        def is_drawn() -> bool:
+            node = viewer._server.scene.get_handle_by_name("/displays/0/0")
+            return bool(node is not None and node.points[0, 0] == number)
+
+        end_s = time.monotonic() + TIMEOUT_S
+        while not is_drawn():
+            assert time.monotonic() < end_s, number
+            with suppress(TimeoutError):
+                message = scene.socket.recv(timeout=0.02)
+                assert isinstance(message, bytes)
+                scene._take(message)
+            take()
+
+    draw(1)
+    scene.wait_for(lambda: 1.0 in take())
+    for wrong in ("all", 1.5, -3, 10**9, None):  # a page may say anything
+        scene.socket.send(msgspec.msgpack.encode({"type": "TfloomDrawn", "count": wrong}))
+    draw(2)
+    scene.wait_for(lambda: 2.0 in take())
+    scene.tell_drawn(10**9)
+    for number in range(3, 23):
+        draw(number)
+    assert len(shown) < 10, sorted(shown)
+
+    def has_the_last() -> bool:
+        scene.tell_drawn(10**9)
+        return 22.0 in take()
+
+    scene.wait_for(has_the_last)
+    assert len(shown) < 12, sorted(shown)
 
 
 def test_pages_that_are_killed_while_a_cloud_is_sent_leave_nothing(

@@ -10,6 +10,7 @@ import secrets
 import socket
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from http import HTTPStatus
@@ -26,7 +27,7 @@ from websockets.http11 import Request, Response
 from tfloom.common.access import Access
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
-from tfloom.viewer.viser_private import is_readable
+from tfloom.viewer.viser_private import drawn_batches, is_readable
 
 if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import ViewPoint
@@ -44,6 +45,9 @@ MAX_WAITING_BYTES = 256 * 1024
 that first, however old it is."""
 MAX_COMMAND_BYTES = 64 * 1024
 """Size of what a page may send at once [bytes]."""
+SILENT_S = 120.0
+"""How long a page may not answer until it counts as gone [s]: one that draws without a graphics card on a busy machine
+takes nothing for many seconds. A connection that was closed is noticed at once."""
 BEAT_S = 0.05
 """Period at which the server's thread notes that it runs [s]."""
 LATE_S = 0.25
@@ -192,6 +196,7 @@ class PageServer:
             process_request=self._respond,
             select_subprotocol=lambda _, offered: offered[0] if offered else None,
             max_size=MAX_COMMAND_BYTES,
+            ping_timeout=SILENT_S,
             compression=None,
             server_header=None,
         )
@@ -380,8 +385,9 @@ class PageServer:
     async def _relay(self, connection: ServerConnection, page: str) -> None:
         """Pass messages between a page's scene and viser; a page has one scene, the newest.
 
-        What viser sends is passed as it is. `send` waits while a page takes nothing; then nothing more is read from
-        viser, which keeps no queue either: it sends the newest state of each node when it can send again.
+        What viser sends is passed as it is. `send` waits while a page takes nothing, and so does the pace while a page
+        has not drawn what it has taken; then nothing more is read from viser, which keeps no queue either: it sends
+        the newest state of each node when it can send again.
         """
         if (opened := self._pages.get(page)) is None:
             await connection.close(1008, "no such page")
@@ -400,18 +406,28 @@ class PageServer:
             additional_headers={KEY_HEADER: self._scene.key, PAGE_HEADER: page},
             max_size=None,
             max_queue=1,
+            ping_interval=None,  # it is this process
             compression=None,
             proxy=None,
         ) as upstream:
+            pace = _Pace()
 
             async def up() -> None:
                 async for message in connection:
-                    if isinstance(message, bytes) and is_readable(message):
+                    if not isinstance(message, bytes):
+                        continue
+                    if (drawn := drawn_batches(message)) is not None:
+                        pace.note_drawn(drawn)
+                    elif is_readable(message):
                         await upstream.send(message)
 
             async def down() -> None:
-                async for message in upstream:
-                    await connection.send(message)
+                with contextlib.suppress(ConnectionClosed):
+                    while True:
+                        await pace.wait()
+                        message = await upstream.recv()
+                        pace.note_sent(len(message))
+                        await connection.send(message)
 
             # Whichever side closes first ends both ways. What the other raises then tells nothing more.
             tasks = [asyncio.create_task(up()), asyncio.create_task(down())]
@@ -423,6 +439,48 @@ class PageServer:
 
 MAX_ANSWERS = 50
 """Number of answers that wait for one page."""
+
+
+MAX_AHEAD = 8
+"""Number of messages that a page's scene may have taken and not drawn."""
+MAX_AHEAD_BYTES = 1_000_000
+"""… and their size: of larger ones, as of clouds, it gets the next one when the one before is drawn [bytes]."""
+
+
+class _Pace:
+    """How far a page's scene is behind what it was sent.
+
+    A browser takes messages on a thread of its own, and would collect more than it can draw. A scene that has never
+    said what it has drawn, as of another program, is never waited for.
+    """
+
+    def __init__(self) -> None:
+        self._sizes: deque[int] = deque()
+        """Of the messages that were sent and not drawn [bytes]."""
+        self._drawn: int | None = None
+        """Number of messages that were drawn; None: the scene has not said so yet."""
+        self._news = asyncio.Event()
+
+    def note_sent(self, size: int) -> None:
+        """Note that a message of a size is sent [bytes]."""
+        self._sizes.append(size)
+
+    def note_drawn(self, count: int) -> None:
+        """Note how many messages were drawn from the first one on, as a page says, which may be anything."""
+        before = self._drawn or 0
+        for _ in range(min(max(count - before, 0), len(self._sizes))):
+            self._sizes.popleft()
+            before += 1
+        self._drawn = before
+        self._news.set()
+
+    async def wait(self) -> None:
+        """Wait until the scene is near enough."""
+        while self._drawn is not None and (
+            len(self._sizes) > MAX_AHEAD or sum(self._sizes) > MAX_AHEAD_BYTES
+        ):
+            self._news.clear()
+            await self._news.wait()
 
 
 class _Page:

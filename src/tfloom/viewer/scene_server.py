@@ -62,6 +62,8 @@ class SceneServer:
             if not secrets.compare_digest(headers.get(KEY_HEADER, "").encode(), self.key.encode()):
                 await live[connection.client_id].close(1008, "this port is not for browsers")
                 return
+            # Nothing is read from viser while a page takes nothing, not even what asks whether the relay is there.
+            live[connection.client_id].ping_timeout = None
             self._clients[headers.get(PAGE_HEADER, "")] = connection.client_id
 
         connections.on_client_connect(check)

@@ -19,7 +19,14 @@ from tfloom.viewer.displays.display import MAX_COORDINATE_M
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-__all__ = ["HAS_PIXEL_POINTS", "connections_of", "is_readable", "open_connections", "pixel_size"]
+__all__ = [
+    "HAS_PIXEL_POINTS",
+    "connections_of",
+    "drawn_batches",
+    "is_readable",
+    "open_connections",
+    "pixel_size",
+]
 
 SCENE_MESSAGES = (
     "ViewerCameraMessage",
@@ -31,6 +38,8 @@ SCENE_MESSAGES = (
     "TransformControlsDragEndMessage",
 )
 """What viser's client may send to its server; the rest, as requests for a tunnel, is dropped."""
+DRAWN_MESSAGE = "TfloomDrawn"
+"""What `page/scene.js` sends when messages have been drawn, which is for the relay; viser has no such message."""
 TUNNEL_MESSAGES = ("ShareUrlRequest", "ShareUrlDisconnect")
 """Requests for a tunnel to the internet, which are not handled."""
 POINT_SIZE = "gl_PointSize = (scale / -world_pos.z);"
@@ -97,6 +106,16 @@ def open_connections(connections: WebsockServer) -> Mapping[int, Any]:
     """Return the open connections of a server by their numbers, which changes as they come and go."""
     live: Mapping[int, Any] = connections._live_connections  # noqa: SLF001  # there is no public way to their headers
     return live
+
+
+def drawn_batches(data: bytes) -> int | None:
+    """Return how many of the messages to it a page's scene says are drawn; None where it says something else."""
+    try:
+        said = msgspec.msgpack.decode(data)
+        count = said["count"] if said["type"] == DRAWN_MESSAGE else None
+    except Exception:  # whatever a page sends
+        return None
+    return count if type(count) is int else None
 
 
 def is_readable(data: bytes) -> bool:

@@ -1,5 +1,5 @@
-// Runs in the page of viser's client, before it: lets points have a size in pixels, whatever their distance, and draws
-// edges without smoothing where there is no graphics card.
+// Runs in the page of viser's client, before it: lets points have a size in pixels, whatever their distance, draws edges
+// without smoothing where there is no graphics card, and tells the server what has been drawn.
 //
 // Viser's points have a size in metres alone, by one line of its shader. A size below zero means here thousandths of a
 // pixel of the page; the shader gets the size of a pixel with each drawing of points, because a window may be resized
@@ -46,3 +46,28 @@ if (window.WebGL2RenderingContext) {
     };
   }
 }
+
+// The server sends no more than a page can draw: it waits until it has heard that what came before was drawn. Viser's
+// client takes messages by a worker, and draws what has come with the next picture; the one after that begins when this
+// one is done. Pages that are not seen draw nothing, and take all that comes.
+const OwnWorker = window.Worker;
+window.Worker = class extends OwnWorker {
+  constructor(...given) {
+    super(...given);
+    let taken = 0, said = 0;
+    const say = (count) => {
+      if (count <= said) return;
+      said = count;
+      this.postMessage({ type: "send", message: { type: "TfloomDrawn", count } });
+    };
+    this.addEventListener("message", ({ data }) => {
+      if (!data) return;
+      if (data.type === "connected") taken = said = 0;
+      if (data.type !== "message_batch") return;
+      const count = (taken += 1);
+      if (document.hidden) say(count);
+      else requestAnimationFrame(() => requestAnimationFrame(() => say(Math.min(count, taken))));
+    });
+    document.addEventListener("visibilitychange", () => { if (document.hidden && taken) say(taken); });
+  }
+};
