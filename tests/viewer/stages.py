@@ -48,8 +48,8 @@ class KeptTopics:
     def types(self) -> Mapping[str, str]:
         return {topic: made._TYPE_NAME for topic, made in self.classes.items()}
 
-    def open(self, topic: str) -> Cursor:
-        return self.log(topic).open()
+    def open(self, topic: str, depth: int = 0) -> Cursor:
+        return self.log(topic).open(depth)
 
     def message_class(self, topic: str) -> type[Any]:
         return self.classes[topic]

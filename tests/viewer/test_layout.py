@@ -213,7 +213,7 @@ def test_common_displays_of_an_rviz_file_are_read_and_the_others_named(write: Wr
     assert layout.fixed_frame == "odom"
     assert layout.displays == (
         DisplayLayout("", kind="Grid"),
-        DisplayLayout("/robot_description", kind="RobotModel"),
+        DisplayLayout("/robot_description", settings=(("depth", 5),), kind="RobotModel"),
         DisplayLayout("/points", "ring", kind="PointCloud2"),
         DisplayLayout("/scan", kind="LaserScan"),
         DisplayLayout("/camera/image_raw", kind="Image"),
@@ -262,10 +262,40 @@ def test_wrench_of_rviz_has_its_settings_that_are_not_the_usual_ones(write: Writ
     layout, unknown = read_layout(write(text, "foot.rviz"))
     assert unknown == []
     settings = {"force_color": (255, 0, 10), "opacity": 0.5, "force_scale": 0.01, "width": 0.25, "history": 3}
+    settings["depth"] = 5
     assert layout.displays == (
         DisplayLayout("/foot/wrench", settings=tuple(settings.items()), kind="Wrench"),
     )
     assert read_layout(write(layout_text(layout)))[0] == layout
+
+
+def test_depth_of_a_topic_is_written_where_it_was_read_and_only_if_it_is_set(write: Write) -> None:
+    displays = (
+        DisplayLayout("/points", settings=(("depth", 7),), kind="PointCloud2"),
+        DisplayLayout("/robot_description", settings=(("depth", 2),), kind="RobotModel"),
+        DisplayLayout("/cam/depth", settings=(("depth", 3),), kind="DepthCloud"),
+        DisplayLayout("/cam/image", settings=(("depth", 4),), kind="Image"),
+        DisplayLayout("/cam/camera_info", kind="Camera"),
+        DisplayLayout("/scan", kind="LaserScan"),
+    )
+    text, unknown = rviz_text(Layout(displays=displays))
+    assert unknown == []
+    shown = {
+        row["Class"].rpartition("/")[2]: row
+        for row in yaml.safe_load(text)["Visualization Manager"]["Displays"]
+    }
+    assert shown["PointCloud2"]["Topic"] == {"Depth": 7, "Value": "/points"}
+    assert shown["RobotModel"]["Description Topic"] == {"Depth": 2, "Value": "/robot_description"}
+    assert (shown["DepthCloud"]["Queue Size"], shown["DepthCloud"]["Depth Map Topic"]) == (3, "/cam/depth")
+    assert shown["Camera"]["Topic"] == {"Depth": 4, "Value": "/cam/image"}
+    assert shown["LaserScan"]["Topic"] == {"Value": "/scan"}
+    again, unknown = read_layout(write(text, "depths.rviz"))
+    assert (set(again.displays), unknown) == (set(displays), [])
+    assert read_layout(write(layout_text(Layout(displays=displays))))[0].displays == displays
+    _, unknown = read_layout(write(text.replace("Depth: 7", "Depth: -7"), "depths.rviz"))
+    assert unknown == [
+        "Topic/Depth of the display PointCloud2 /points, which has to be a whole number from 0 to 10000, not -7"
+    ]
 
 
 def test_wrench_of_rviz_is_shown_without_the_settings_that_cant_be_taken(write: Write) -> None:
@@ -273,7 +303,7 @@ def test_wrench_of_rviz_is_shown_without_the_settings_that_cant_be_taken(write: 
     a_color = "has to be three whole numbers from 0 to 255, as [204, 51, 51]"
     layout, unknown = read_layout(write(text.replace("Alpha: 0.5", "Alpha: .inf"), "foot.rviz"))
     assert layout.displays == (
-        DisplayLayout("/foot/wrench", "", (("force_scale", 0.01), ("width", 0.25)), "Wrench"),
+        DisplayLayout("/foot/wrench", "", (("force_scale", 0.01), ("width", 0.25), ("depth", 5)), "Wrench"),
     )
     assert unknown == [
         f"Force Color of the display Foot, which {a_color}, not 'reddish'",
@@ -563,7 +593,7 @@ Visualization Manager:
       Covariance: {Value: false, Position: {Alpha: 0.5}}
       Topic: {Value: /odom}
     - {Class: rviz_default_plugins/Image, Topic: {Value: /camera/image}}
-    - {Class: rviz_default_plugins/Camera, Topic: {Value: /front/image}}
+    - {Class: rviz_default_plugins/Camera, Topic: {Depth: 3, Value: /front/image}}
     - {Class: rviz_default_plugins/TwistStamped, Linear Arrow Scale: 3, Topic: {Value: /twist}}
     - Class: rviz_default_plugins/InteractiveMarkers
       Enable Transparency: true
@@ -594,6 +624,7 @@ SET_IN_RVIZ = {
         "axis_low": -1.0,
         "axis_high": 2.0,
         "decay_s": 1.5,
+        "depth": 5,
     },
     "/scan": {"color_by": "flat", "color": (1, 2, 3)},
     "/markers": {"hidden_namespaces": ("doors", "walls")},
@@ -614,6 +645,7 @@ SET_IN_RVIZ = {
         "position_tolerance": 0.5,
     },
     "/twist": {"linear_scale": 3.0},
+    "/front/image": {"depth": 3},
     "/arm/goals/update": {"axes": True, "descriptions": False},
 }
 

@@ -94,10 +94,10 @@ def test_display_that_cant_be_read_again_is_shown_as_soon_as_it_can(
     stage.view.suspend()
     opened = stage.topics.open
 
-    def refuse(topic: str) -> Any:
+    def refuse(topic: str, depth: int = 0) -> Any:
         if topic == "/one":
             raise error
-        return opened(topic)
+        return opened(topic, depth)
 
     with monkeypatch.context() as patch:
         patch.setattr(stage.topics, "open", refuse)

@@ -19,6 +19,7 @@ from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topic_log import Cursor
+from tfloom.viewer.topic_reader import KEPT_DEPTH, LATCHED_DEPTH
 from tfloom.viewer.topics import LiveTopics
 
 S = 1_000_000_000
@@ -158,3 +159,77 @@ def test_topic_that_is_closed_leaves_none_of_its_readers(graph: Graph) -> None:
     assert graph.cursor is not None
     graph.cursor.close()
     assert graph.readers() == []
+
+
+@pytest.mark.parametrize("domain", WIRES, indirect=True)
+def test_queue_has_the_greatest_depth_that_is_asked_for(
+    graph: Graph, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A display that comes, changes its depth or goes changes the reader, and no message is lost or comes twice."""
+    usual = KEPT_DEPTH if graph.message_class is Marker else LATCHED_DEPTH
+    asked: list[int] = []
+    create = graph.participants[0].create_reader
+
+    def note(node: NodeName, topic: Any, qos: QoS) -> Any:
+        asked.append(qos.depth)
+        return create(node, topic, qos)
+
+    monkeypatch.setattr(graph.participants[0], "create_reader", note)
+    writer = graph.publish(LATCHED, "kept")
+    wait_until(lambda: "/t" in graph.topics.types(), what="the topic")
+    graph.cursor = first = graph.topics.open("/t", 3)
+    graph.wait_for("kept")
+    assert asked == [3]
+    second = graph.topics.open("/t", 7)
+    graph.texts()
+    second.close()
+    graph.texts()
+    first.depth = 0
+    graph.texts()
+    first.depth = 5
+    graph.texts()
+    assert asked == [3, 7, 3, usual, 5]
+    assert len(graph.readers()) == 1
+    wait_until(lambda: writer.matched_count() == 1, what="the match of the last reader")
+    graph.write(writer, "new")
+    graph.wait_for("kept", "new")
+    first.close()
+    assert graph.readers() == []
+    graph.cursor = graph.topics.open("/t")
+    assert asked[-1] == usual
+
+
+@pytest.mark.parametrize("domain", ["tfloom_local"], indirect=True)
+def test_queue_keeps_as_many_messages_as_it_is_deep(graph: Graph) -> None:
+    writer = graph.publish(LOOSE)
+    wait_until(lambda: "/t" in graph.topics.types(), what="the topic")
+    for depth in (3, 5):
+        graph.cursor = graph.topics.open("/t", depth)
+        texts = [f"{depth} {number}" for number in range(10)]
+        graph.write(writer, *texts)
+        graph.wait_for(*texts[-depth:])
+        graph.cursor.close()
+
+
+@pytest.mark.parametrize("domain", ["tfloom_local"], indirect=True)
+def test_queue_that_is_refused_is_told_and_the_reader_stays(
+    graph: Graph, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    writer = graph.publish(LOOSE)
+    graph.open()
+    assert graph.cursor is not None
+
+    def refuse(*_: Any) -> Any:
+        raise WireError("no more readers")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(graph.participants[0], "create_reader", refuse)
+        graph.cursor.depth = 7
+        with pytest.raises(DisplayError, match="no more readers"):
+            graph.texts()
+        graph.write(writer, "one")
+        with pytest.raises(DisplayError, match="no more readers"):
+            graph.texts()
+    graph.wait_for("one")
+    graph.write(writer, "two")
+    graph.wait_for("one", "two")

@@ -335,7 +335,7 @@ def test_settings_stay_where_a_topic_is_read_again_and_end_with_the_display(
     stage.draw()
     stage.view.suspend()
     with monkeypatch.context() as patch:
-        patch.setattr(stage.topics, "open", lambda _: 1 / 0)
+        patch.setattr(stage.topics, "open", lambda *_: 1 / 0)
         stage.view.resume()
     stage.topics.add("/wrench", force(2.0))
     stage.draw()
@@ -628,7 +628,7 @@ def test_depth_cloud_reads_its_info_only_while_it_is_shown_and_looked_at(
     feed.close()
     opened = stage.topics.open
     with monkeypatch.context() as patch:
-        patch.setattr(stage.topics, "open", lambda _: 1 / 0)
+        patch.setattr(stage.topics, "open", lambda *_: 1 / 0)
         assert depth(stage) == []
     assert stage.status("/cam/depth").startswith("it can't be shown")
     feed.read(opened("/cam/depth"))

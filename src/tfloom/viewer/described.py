@@ -143,7 +143,7 @@ class DescribedTopics:
         """Return the type of each topic, by its name."""
         return {DESCRIPTION_TOPIC: "std_msgs/msg/String"}
 
-    def open(self, topic: str) -> Cursor:
+    def open(self, topic: str, depth: int = 0) -> Cursor:  # nothing waits here
         """Return a reader of the topic."""
         return self._log.open()
 

@@ -174,7 +174,14 @@ class Feed:
             self.settings.pop(name, None)
         else:
             self.settings[name] = self._values[name]
+        if name == "depth":
+            self._cursor.depth = self.depth
         self._begin_anew()
+
+    @property
+    def depth(self) -> int:
+        """Number of messages of its topic that may wait to be taken; 0: as is usual for it."""
+        return int(self._values.get("depth", 0))
 
     def _begin_anew(self) -> None:
         self._last, self._run = None, []

@@ -56,8 +56,8 @@ class RecordedTopics:
         """Return the type of each topic, by its name."""
         return self._types
 
-    def open(self, topic: str) -> Cursor:
-        """Return a reader of a topic.
+    def open(self, topic: str, depth: int = 0) -> Cursor:
+        """Return a reader of a topic, of which no message is ever lost, whatever the depth.
 
         Raises:
             DisplayError: its type has no definition, here or in the recording.

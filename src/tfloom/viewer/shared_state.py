@@ -378,7 +378,8 @@ class SharedView:
         if not kind.has_topic:
             return Feed("", kind)
         try:
-            cursor = self.topics.open(topic)
+            settings: dict[str, Any] = dict(wanted.settings)
+            cursor = self.topics.open(topic, settings.get("depth", 0) if "depth" in kind.settings else 0)
         except DisplayError as error:
             raise PageError(str(error)) from None
         try:
@@ -539,7 +540,7 @@ class SharedView:
                 if feed.kind.has_topic:
                     if self.topics.types().get(feed.topic) != feed.type_name:
                         raise DisplayError("it has another type now, or none")  # noqa: TRY301  # as if refused
-                    feed.read(self.topics.open(feed.topic))
+                    feed.read(self.topics.open(feed.topic, feed.depth))
             except Exception:  # of one topic, which is tried again: the others are read
                 self.set_display(name, on=False)
                 self._wanted[name] = _layout_of(feed)

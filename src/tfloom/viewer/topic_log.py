@@ -94,11 +94,13 @@ class Cursor:
     Args:
         log: The log.
         number: The place: that of the last message that the reader has.
+        depth: Number of messages of the topic that may wait to be taken; 0: as is usual for it.
     """
 
-    def __init__(self, log: Log, number: int = START) -> None:
+    def __init__(self, log: Log, number: int = START, depth: int = 0) -> None:
         self.log = log
         self.number = number
+        self.depth = depth
         self.is_behind = False
         """Whether `read` has left messages for the next time."""
 
@@ -171,6 +173,11 @@ class TopicLog:
 
     def __len__(self) -> int:
         return len(self._by_stamp)
+
+    @property
+    def depths(self) -> list[int]:
+        """The depth that each of its readers asks for."""
+        return [cursor.depth for cursor in self._cursors]
 
     @property
     def size(self) -> int:
@@ -248,9 +255,9 @@ class TopicLog:
         if entries := self._entries[index:]:
             yield entries[-1].number, entries
 
-    def open(self) -> Cursor:
+    def open(self, depth: int = 0) -> Cursor:
         """Return a new reader, for which messages are kept until its place is behind them."""
-        self._cursors.append(cursor := Cursor(self))
+        self._cursors.append(cursor := Cursor(self, depth=depth))
         return cursor
 
     def leave(self, cursor: Cursor) -> None:

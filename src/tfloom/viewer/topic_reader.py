@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 from tfloom.rmw.errors import WireError
@@ -71,13 +71,18 @@ class TopicReader:
         node: The node whose readers these are.
         publishers: Returns the publishers, the same object while they are the same ones. Those of another type than
             the first one's are left out.
+        depths: As `set_depths` takes them.
 
     Raises:
         WireError: there are no publishers, or the wire refuses a reader.
     """
 
     def __init__(
-        self, participant: Participant, node: NodeName, publishers: Callable[[], Sequence[EndpointInfo]]
+        self,
+        participant: Participant,
+        node: NodeName,
+        publishers: Callable[[], Sequence[EndpointInfo]],
+        depths: Iterable[int] = (),
     ) -> None:
         self._participant = participant
         self._node = node
@@ -87,7 +92,12 @@ class TopicReader:
         if not self._known:
             raise WireError("nobody publishes it any longer")
         self._topic = self._known[0].topic
+        self._depths = list(depths)
         self._readers: dict[Request, Reader] = {}
+        self._opened_with: dict[Request, QoS] = {}
+        """The quality of service of each reader."""
+        self._is_reopened = False
+        """Whether a reader took the place of another one, which has received kept messages before."""
         self._seen: dict[tuple[bytes, int, int], None] = {}
         """Publisher, stamp and hash of the messages that were taken last."""
         self.refusal = ""
@@ -101,14 +111,35 @@ class TopicReader:
     def _read_from(self, publishers: Sequence[EndpointInfo]) -> None:
         needed = {request_for(end) for end in publishers if end.topic.type_name == self._topic.type_name}
         for request in needed - self._readers.keys():
-            self._readers[request] = self._participant.create_reader(
-                self._node, self._topic, self._qos(request)
-            )
+            self._open(request)
+
+    def _open(self, request: Request) -> None:
+        qos = self._qos(request)
+        self._readers[request] = self._participant.create_reader(self._node, self._topic, qos)
+        self._opened_with[request] = qos
 
     def _qos(self, request: Request) -> QoS:
         is_kept = self._topic.type_name in KEPT_TYPES
-        depth = KEPT_DEPTH if is_kept else LATCHED_DEPTH if request is LATCHED else DEPTH
+        usual = KEPT_DEPTH if is_kept else LATCHED_DEPTH if request is LATCHED else DEPTH
+        depth = max((depth or usual for depth in self._depths), default=usual)
         return QoS(request.reliability, request.durability, depth=depth)
+
+    def set_depths(self, depths: Iterable[int]) -> None:
+        """Let as many messages wait as the greatest of some numbers, from the next `take` on; 0 is the usual number."""
+        self._depths = list(depths)
+
+    def _reopen(self) -> None:
+        """Exchange the readers of another depth; where the wire refuses one, the one that is there stays."""
+        for request, reader in list(self._readers.items()):
+            if self._opened_with[request] == self._qos(request):
+                continue
+            try:
+                self._open(request)
+            except WireError as error:
+                self.refusal = str(error)
+                return
+            self._is_reopened, self.refusal = True, ""
+            reader.close()
 
     def take(self) -> Iterator[Sample]:
         """Yield the messages that have come since, also from publishers that have. Never waits."""
@@ -123,8 +154,9 @@ class TopicReader:
             for _ in range(MAX_TAKEN):
                 if (sample := reader.take()) is None:
                     break
-                if self._is_new(sample) or len(self._readers) == 1:
+                if self._is_new(sample) or (len(self._readers) == 1 and not self._is_reopened):
                     yield sample
+        self._reopen()
 
     def silence(self) -> str:
         """Return why no message comes from any publisher of the type that is read; empty if one is heard."""

@@ -42,8 +42,12 @@ class Topics(Protocol):
     def types(self) -> Mapping[str, str]:
         """Return the type of each topic, by its name."""
 
-    def open(self, topic: str) -> Cursor:
+    def open(self, topic: str, depth: int = 0) -> Cursor:
         """Return a reader of a topic, before the first of the messages that are kept.
+
+        Args:
+            topic: The topic.
+            depth: Number of messages of a graph that may wait to be taken; 0: as is usual for it.
 
         Raises:
             DisplayError: it can't be read.
@@ -113,18 +117,23 @@ class LiveTopics:
                     self._publishers.setdefault(end.topic.name, []).append(end)
         return self._publishers
 
-    def open(self, topic: str) -> Cursor:
+    def open(self, topic: str, depth: int = 0) -> Cursor:
         """Return a reader of a topic, before the first of the messages that are kept.
+
+        Args:
+            topic: The topic.
+            depth: Number of messages that may wait to be taken, of which the greatest of all who read the topic
+                counts; 0: as is usual for it. It may change, as `Cursor.depth`.
 
         Raises:
             DisplayError: nobody publishes it, its type is unknown here, or the wire refuses a reader.
         """
         name = topic, self.message_class(topic)
         if name not in self._logs:
-            self._logs[name] = self._opened(name)
-        return self._logs[name][1].open()
+            self._logs[name] = self._opened(name, depth)
+        return self._logs[name][1].open(depth)
 
-    def _opened(self, name: tuple[str, type[Message]]) -> tuple[TopicReader, TopicLog]:
+    def _opened(self, name: tuple[str, type[Message]], depth: int) -> tuple[TopicReader, TopicLog]:
         topic, message_class = name
         log = TopicLog(
             self._history_ns,
@@ -134,7 +143,9 @@ class LiveTopics:
             on_left=lambda: self._close(name),
         )
         try:
-            reader = TopicReader(self._participant, self._node, lambda: self._read_graph().get(topic, ()))
+            reader = TopicReader(
+                self._participant, self._node, lambda: self._read_graph().get(topic, ()), [depth]
+            )
         except WireError as error:
             raise DisplayError(str(error)) from None
         return reader, log
@@ -207,6 +218,7 @@ class LiveTopics:
         fault: Exception | None = None
         for (_, message_class), (reader, log) in self._logs.items():
             try:
+                reader.set_depths(log.depths)
                 self._take(reader, log, latest_ns, has_header=begins_with_header(message_class))
                 if reader.refusal:
                     fault = DisplayError(reader.refusal)

@@ -30,6 +30,7 @@ from tfloom.viewer.displays.settings import (
     SCAN_SETTINGS,
     TWIST_SETTINGS,
     WRENCH_SETTINGS,
+    queue_setting,
     usual_values,
 )
 
@@ -75,10 +76,23 @@ KEPT_TYPES = frozenset(
     ("visualization_msgs/msg/Marker", "visualization_msgs/msg/MarkerArray", INTERACTIVE_TYPE)
 )
 """Types whose displays keep what earlier messages made."""
+QUEUES = {"RobotModel": "Description Topic/Depth", "DepthCloud": "Queue Size"}
+"""The property of RViz with the depth of a display's topic, where that is not Topic/Depth."""
+UNQUEUED = frozenset((INTERACTIVE, "Camera", "Turtle"))
+"""Displays of topics without such a property."""
 UPDATE_SUFFIX = "/update"
 """Follows the namespace of interactive markers in the topic of their updates."""
 
-KINDS = {
+
+def _queued(kind: Kind) -> Kind:
+    """Return a kind whose settings have the depth of its topic, if RViz has it, too."""
+    if kind.label in UNQUEUED:
+        return kind
+    depth = queue_setting(QUEUES.get(kind.label, "Topic/Depth"))
+    return kind._replace(settings={**kind.settings, "depth": depth})
+
+
+_OF_TYPES = {
     "sensor_msgs/msg/PointCloud2": Kind("PointCloud2", "point_cloud", "PointCloudDisplay", CLOUD_SETTINGS),
     "sensor_msgs/msg/PointCloud": Kind("PointCloud", "point_cloud", "OldCloudDisplay", CLOUD_SETTINGS),
     "sensor_msgs/msg/LaserScan": Kind("LaserScan", "ranges", "LaserScanDisplay", SCAN_SETTINGS),
@@ -108,15 +122,16 @@ KINDS = {
     "turtlesim/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
     "turtlesim_msgs/msg/Pose": Kind("Turtle", "turtles", "TurtleDisplay"),
 }
+KINDS = {type_name: _queued(kind) for type_name, kind in _OF_TYPES.items()}
 """By the type of the messages."""
 
-DEPTH_CLOUD = Kind("DepthCloud", "depth_cloud", "DepthCloudDisplay", CLOUD_SETTINGS)
+DEPTH_CLOUD = _queued(Kind("DepthCloud", "depth_cloud", "DepthCloudDisplay", CLOUD_SETTINGS))
 FURTHER_KINDS: Mapping[str, tuple[Kind, ...]] = MappingProxyType({"sensor_msgs/msg/Image": (DEPTH_CLOUD,)})
 """What also shows messages of a type, where that is asked for."""
 PAIRED = frozenset((DEPTH_CLOUD.label, "Effort"))
 """Labels of displays that need a second topic."""
 
-ROBOT = Kind("RobotModel", "robot_model", "RobotDisplay", ROBOT_SETTINGS)
+ROBOT = _queued(Kind("RobotModel", "robot_model", "RobotDisplay", ROBOT_SETTINGS))
 PLAIN = (
     Kind("Axes", "plain", "AxesDisplay", AXES_SETTINGS, has_topic=False),
     Kind("Grid", "plain", "GridDisplay", GRID_SETTINGS, has_topic=False),

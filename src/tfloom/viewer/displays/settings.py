@@ -43,6 +43,7 @@ __all__ = [
     "TextSetting",
     "Value",
     "Values",
+    "queue_setting",
     "taken_anywhere",
     "to_file",
     "usual_values",
@@ -56,6 +57,8 @@ MAX_TEXT = 256
 """Number of characters of a text or a name."""
 MAX_NAMES = 2000
 """Number of names in a list."""
+MAX_DEPTH = 10_000
+"""Number of messages of a topic that may wait to be taken."""
 MAX_HISTORY = 1000
 """Number of messages that a display shows at a time."""
 
@@ -331,6 +334,11 @@ def taken_anywhere(name: str, value: Any, tables: Iterable[Mapping[str, Setting]
 def usual_values(settings: Mapping[str, Setting]) -> dict[str, Any]:
     """Return the value of each setting that counts where none is set."""
     return {name: setting.usual for name, setting in settings.items()}
+
+
+def queue_setting(rviz: str) -> NumberSetting:
+    """Return the setting of how many messages of a topic may wait to be taken; 0: as is usual for it."""
+    return NumberSetting(0, rviz, 0, MAX_DEPTH, is_whole=True)
 
 
 def _opacity(usual: float = 1.0, rviz: str = "Alpha") -> NumberSetting:

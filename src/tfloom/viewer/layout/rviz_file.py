@@ -160,7 +160,7 @@ class _Reader:
         elif kind == "Camera":
             topic = self._topic(display, TOPIC_KEYS)
             if topic:
-                self._add(topic, "Image")
+                self._add(topic, "Image", settings=self._settings(name, display, LABELS["Image"].settings))
                 self._add(f"{topic.rpartition('/')[0]}/camera_info", "Camera")
         elif kind == INTERACTIVE:
             self._take_interactive(name, display)

@@ -104,19 +104,25 @@ class _Writer:
         topic = display.topic
         if display.kind == "Image" and any(topic in images_of(camera, images) for camera in cameras):
             return None  # it is that of a camera, which has both
+        table = kind.settings
         if display.kind == "Camera":
             topic = next(iter(images_of(topic, images)), "")
             if not topic:
                 self.unknown.append(f"the display of {display.topic}, a camera without an image")
                 return None
-        values = {**usual_values(kind.settings), **dict(display.settings)}
+            shown = next(one for one in self._layout.displays if (one.topic, one.kind) == (topic, "Image"))
+            display, table = display._replace(settings=shown.settings), LABELS["Image"].settings
+        values = {**usual_values(table), **dict(display.settings)}
+        if not values.get("depth"):
+            values.pop("depth", None)  # RViz's own is as usual there
         name = f"{kind.label} {display.topic}".strip()
-        made = self._of_class(kind.label, name, kind.settings, values)
+        made = self._of_class(kind.label, name, table, values)
         if kind.has_topic:
             property_name = TOPIC_PROPERTIES.get(kind.label, "Topic")
             if kind.label == INTERACTIVE:
                 topic = topic.removesuffix(UPDATE_SUFFIX)
-            made[property_name] = topic if kind.label in PLAIN_TOPICS else {"Value": topic}
+            is_plain = kind.label in PLAIN_TOPICS
+            made[property_name] = topic if is_plain else {**made.get(property_name, {}), "Value": topic}
         if "color_by" in values:
             _color_by_choice(made, values["color_by"], display.choice)
         elif display.choice:
