@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from pathlib import Path
 
 import numpy as np
 import pytest
+from tests.bag.test_ros1 import write
 from tests.conftest import wait_until
 from tests.tf2_tools.recordings import START_NS, transform
 from tests.viewer.conftest import Page, running
@@ -201,6 +202,53 @@ def test_what_is_no_recording_is_a_sentence(tmp_path: Path) -> None:
         recorded_viewer(tmp_path / "nothing", topics=("/tf", "/tf_static")),
     ):
         pass
+
+
+@pytest.mark.parametrize("has_statics", [False, True])
+def test_recording_without_moving_transforms_is_shown_by_its_own_times(
+    tmp_path: Path, open_page: Callable[[Viewer], Page], has_statics: bool
+) -> None:
+    with closing(BagWriter(tmp_path / "poses")) as writer:
+        poses = writer.add_topic(Topic("/pose", "geometry_msgs/msg/PoseStamped"))
+        if has_statics:
+            statics = writer.add_topic(Topic("/tf_static", "tf2_msgs/msg/TFMessage"))
+            still = TFMessage(transforms=[transform("camera", "lens", START_NS, (0.0, 0.0, 1.0))])
+            writer.push(statics, cdr.encode(still), START_NS, START_NS)
+        for second in range(11):
+            stamp_ns = START_NS + second * S
+            head = Header(frame_id="camera", stamp=Time(sec=stamp_ns // S))
+            data = cdr.encode(PoseStamped(header=head, pose=pose(x=float(second))))
+            writer.push(poses, data, stamp_ns, stamp_ns)
+    with recorded_viewer(tmp_path / "poses", topics=("/tf", "/tf_static")) as viewer, running(viewer):
+        page = open_page(viewer)
+        page.wait_for(lambda: page.display("/pose"))
+        assert page.state["span"] == [str(START_NS), str(START_NS + 10 * S)]
+        page.send(op="display", topic="/pose", on=True)
+        page.send(op="hold", stamp_ns=str(START_NS + 7 * S))
+        wait_until(lambda: place_of(viewer, "/displays/0/0") == 7.0, what="the pose of second 7")
+        page.wait_for(lambda: page.state["fixed_frame"] == "camera")
+        page.send(op="hold", stamp_ns=str(START_NS + 2 * S))
+        wait_until(lambda: place_of(viewer, "/displays/0/0") == 2.0, what="the pose of second 2")
+
+
+def test_transforms_on_other_topics_are_named(tmp_path: Path) -> None:
+    with closing(BagWriter(tmp_path / "bag")) as writer:
+        writer.add_topic(Topic("/robot1/tf", "tf2_msgs/msg/TFMessage"))
+    with (
+        pytest.raises(BagError, match="its topics of transforms are: /robot1/tf"),
+        recorded_viewer(tmp_path / "bag", topics=("/tf", "/tf_static")),
+    ):
+        pass
+
+
+def test_what_is_not_shown_of_a_recording_of_ros1_is_named(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    with recorded_viewer(write(tmp_path / "old.bag"), topics=("/tf", "/tf_static")) as viewer:
+        assert "odom" in viewer.view.buffer.parents()
+    said = capfd.readouterr().err
+    assert f"{tmp_path}/old.bag is of ROS 1: its transforms are shown, and not /chatter." in said
+    assert "rosbags-convert" in said
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,9 +12,13 @@ from typing import TYPE_CHECKING, Any
 from tfloom.bag.errors import BagError
 from tfloom.bag.message_classes import class_of
 from tfloom.bag.opening import open_bag
+from tfloom.bag.tf_frames import TF_TYPES
+from tfloom.common.terminal import report, shown_part
 from tfloom.rosidl import cdr
 from tfloom.tf2.buffer import Buffer
-from tfloom.tf2_tools.watch.sources import open_path
+from tfloom.tf2_tools.watch.recorded import observe_recorded
+from tfloom.tf2_tools.watch.sources import Still, open_path
+from tfloom.viewer.frames import Span
 from tfloom.viewer.program import Viewer
 from tfloom.viewer.shapes import DisplayError
 from tfloom.viewer.topic_log import RUN_NS, Cursor, Entry
@@ -35,6 +39,12 @@ MAX_RUN_BYTES = 256 * 1024 * 1024
 """Size of the messages that are shown together [bytes]."""
 MAX_KEPT_BYTES = 64 * 1024 * 1024
 """Size of the largest part that is kept [bytes]."""
+MAX_NAMES = 5
+"""Number of topics that are named."""
+LEFT_OUT = (
+    "{path} is of ROS 1: its transforms are shown, and not {names}. `pip install rosbags` has rosbags-convert, which "
+    "makes a recording of ROS 2 of it"
+)
 INDEX_BITS = 32
 """A message's number has that of its part, and in so many bits its index there."""
 
@@ -207,12 +217,28 @@ def recorded_viewer(path: Path, *, topics: tuple[str, str], fixed_frame: str = "
         fixed_frame: The fixed frame; empty: a usual one, or the root of the largest tree.
 
     Raises:
-        BagError: it is not a recording, or has no transforms.
+        BagError: it is not a recording, or its transforms are on other topics.
         StaticFileError: it is not a file of static transforms.
         OSError: it can't be read.
     """
     buffer = Buffer(None)
     buffer.set_log_callback(None)
-    source = open_path(path, buffer=buffer, topics=topics)
-    with open_bag(path) as bag, Viewer(source, RecordedTopics(bag), fixed_frame=fixed_frame) as viewer:
+    with ExitStack() as stack:
+        try:
+            source = open_path(path, buffer=buffer, topics=topics)
+            bag = stack.enter_context(open_bag(path))
+        except BagError:
+            bag = stack.enter_context(open_bag(path))
+            if not bag.topics or any(topic.type in TF_TYPES for topic in bag.topics.values()):
+                raise
+            source = Still(observe_recorded([], str(path), buffer=buffer, topics=topics), buffer)
+        if left_out := sorted(
+            topic.name
+            for topic in bag.topics.values()
+            if topic.serialization_format != "cdr" and topic.type not in TF_TYPES
+        ):
+            more = " and others" if len(left_out) > MAX_NAMES else ""
+            report(LEFT_OUT.format(path=path, names=", ".join(map(shown_part, left_out[:MAX_NAMES])) + more))
+        viewer = stack.enter_context(Viewer(source, RecordedTopics(bag), fixed_frame=fixed_frame))
+        viewer.view.recorded_span = Span(bag.start_ns, bag.end_ns)
         yield viewer

@@ -111,6 +111,9 @@ class SharedView:
         report: Called with a sentence about a part of the view that can't be shown, which doesn't end the others.
     """
 
+    recorded_span: Span | None = None
+    """The time of a recording, which counts where no frame moves; None without one."""
+
     def __init__(
         self,
         source: Source,
@@ -282,7 +285,7 @@ class SharedView:
 
     def _set_plot_time(self, command: Mapping[str, Any]) -> None:
         length_s = None if command.get("length_s") is None else number(command, "length_s")
-        self.plots.show_time(span_of(self.buffer), length_s, stamp(command, "end_ns"))
+        self.plots.show_time(self._span(), length_s, stamp(command, "end_ns"))
 
     def plot_csv(self, command: Mapping[str, Any]) -> dict[str, Any]:
         """Return the number of a plot, and the numbers that it shows as the text of a file.
@@ -291,11 +294,11 @@ class SharedView:
             PageError: there is no such plot, or it shows too many.
         """
         plot = whole(command, "plot")
-        return {"plot": plot, "text": self.plots.csv(plot, span_of(self.buffer))}
+        return {"plot": plot, "text": self.plots.csv(plot, self._span())}
 
     def _hold(self, command: Mapping[str, Any]) -> None:
         stamp_ns = stamp(command, "stamp_ns")
-        span = span_of(self.buffer)
+        span = self._span()
         if self._playback is not None:
             if span is not None:
                 self._begun(self._playback, span).pause(span, stamp_ns)
@@ -304,7 +307,7 @@ class SharedView:
 
     def _play(self, command: Mapping[str, Any]) -> None:
         on = flag(command, "on")
-        span = span_of(self.buffer)
+        span = self._span()
         if self._playback is None or span is None:
             raise PageError("there is nothing to play")
         playback = self._begun(self._playback, span)
@@ -443,7 +446,7 @@ class SharedView:
 
     def image_entries(self) -> dict[str, Entry]:
         """Return the message of each image at the time that is shown."""
-        held_ns = self.shown_ns(span_of(self.buffer))
+        held_ns = self.shown_ns(self._span())
         images = [
             (topic, feed.newest(held_ns)) for topic, feed in self._feeds.items() if feed.display is None
         ]
@@ -590,6 +593,10 @@ class SharedView:
         found = self._chosen_frame or default_fixed_frame(self.buffer.parents())
         return found or next(filter(None, (feed.frame_id for feed in list(self._feeds.values()))), "")
 
+    def _span(self) -> Span | None:
+        """Return the time through which the slider goes; None where nothing moves."""
+        return span_of(self.buffer) or self.recorded_span
+
     def shown_ns(self, span: Span | None) -> int | None:
         """Return the time that is shown [ns since epoch]; None: the newest."""
         if self._playback is not None and span is not None:
@@ -604,7 +611,7 @@ class SharedView:
         Raises:
             ValueError: it ends before.
         """
-        span = span_of(self.buffer)
+        span = self._span()
         length_s = 0.0 if span is None else (span.end_ns - span.start_ns) / 1e9
         if self._playback is None or span is None or not offset_s < length_s:
             raise ValueError(f"the transforms of the recording are of {length_s:.3f} s")
@@ -628,7 +635,7 @@ class SharedView:
             self._try("displays can't be opened", self._show_wanted)
             self._try("topics can't be checked", self._look_at_topics)
             self._try("plots can't be opened", self.plots.look)
-        fixed, held_ns = self.fixed_frame, self.shown_ns(span_of(self.buffer))
+        fixed, held_ns = self.fixed_frame, self.shown_ns(self._span())
         self._try("frames can't be drawn", lambda: self._draw_frames(fixed, held_ns))
         if now_s >= self._next_trail_s:
             self._next_trail_s = now_s + TRAIL_S
@@ -771,7 +778,7 @@ class SharedView:
 
     def snapshot(self) -> dict[str, Any]:
         """Return what pages show beside the scene, as values for JSON."""
-        span = span_of(self.buffer)
+        span = self._span()
         held_ns = self.shown_ns(span)
         return {
             "is_live": self._is_live,
