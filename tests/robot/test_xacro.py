@@ -102,6 +102,34 @@ def test_its_errors_are_lines(
         assert "Traceback" not in printed
 
 
+def test_packages_that_are_not_installed_are_found_around_the_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "argv", [])
+    monkeypatch.chdir("/")
+    for folder in ("clone/bot", "clone/arms", "other/grippers"):
+        (tmp_path / folder).mkdir(parents=True)
+        name = folder.partition("/")[2]
+        (tmp_path / folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    path = tmp_path / "clone" / "bot" / "bot.xacro"
+    path.write_text(f'<robot name="r" {NAMESPACE}><link name="$(find arms)$(find grippers)"/></robot>')
+    assert xacro_program.main([str(path)]) == 0
+    assert f'name="{tmp_path}/clone/arms{tmp_path}/other/grippers"' in capfd.readouterr().out
+    # An installed one counts before them.
+    prefix = tmp_path / "installed"
+    (prefix / "share" / "ament_index" / "resource_index" / "packages").mkdir(parents=True)
+    (prefix / "share" / "ament_index" / "resource_index" / "packages" / "arms").touch()
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(prefix))
+    assert xacro_program.main([str(path)]) == 0
+    assert f'name="{prefix}/share/arms{tmp_path}/other/grippers"' in capfd.readouterr().out
+    path.write_text(f'<robot name="r" {NAMESPACE}>$(find nothere)</robot>')
+    with pytest.raises(SystemExit):
+        xacro_program.main([str(path)])
+    first = capfd.readouterr().err.splitlines()[0]
+    assert first.startswith("error: package 'nothere' not found"), first
+    assert first.count("nothere") == 1
+
+
 def doubled(inner: str, outer: str) -> str:
     """Return definitions that have the one before twice, forty times."""
     return inner + "".join(outer.format(number, number - 1) for number in range(1, 41))

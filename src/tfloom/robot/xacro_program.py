@@ -49,7 +49,8 @@ def main(args: list[str] | None = None, near: Path | None = None) -> int:
 
     Args:
         args: The command line; None: `sys.argv`.
-        near: A folder around which `$(find PACKAGE)` looks first; None: in workspaces that are sourced alone.
+        near: A folder around which `$(find PACKAGE)` looks first; None: in workspaces that are sourced, then around the
+            file.
     """
     if find_spec("xacro") is None:
         report(f"xacro: {MISSING}")
@@ -112,8 +113,7 @@ def _expand(limits: list[str], args: list[str]) -> int:
     xacro.eval_extension = _explained(xacro)
     xacro.eval_text = _measured(xacro)
     xacro.process_file = _with_memory(xacro, max_bytes)
-    if limits[4]:
-        _find_around(Path(limits[4]))
+    _find_around(xacro, Path(limits[4]) if limits[4] else None)
     sys.argv = ["xacro", *args]
     try:
         xacro.main()
@@ -193,10 +193,8 @@ def _explained(xacro: Any) -> Callable[[str], Any]:
         except xacro.XacroException as error:
             if isinstance(error.exc, substitution_args.ArgException):
                 error.suffix = f"(add {error.exc}:=VALUE)"
-            elif isinstance(
-                error.exc, xacro.XacroException
-            ):  # the library would print it twice, and its class
-                raise error.exc from None
+            elif isinstance(error.exc, LookupError | xacro.XacroException):
+                raise xacro.XacroException(str(error.exc)) from None  # once, and without its class
             raise
 
     return evaluate_and_explain
@@ -241,24 +239,35 @@ def _with_memory(xacro: Any, max_bytes: int) -> Callable[..., Any]:
     return process_within_limits
 
 
-def _find_around(near: Path) -> None:
-    """Let the library find packages around a folder before those of workspaces, as meshes are found."""
+def _find_around(xacro: Any, near: Path | None) -> None:
+    """Let the library find packages around a folder before those of workspaces; None: around the file after them."""
     from xacro import XacroException, substitution_args
 
     names = vars(substitution_args)
     find: Callable[[str], str] = names["_eval_find"]
+    process: Callable[..., Any] = xacro.process_file
+    folder = near or Path.cwd()
+
+    def process_and_remember(path: str | None, *args: Any, **options: Any) -> Any:
+        nonlocal folder
+        if near is None and path:  # without one it reads its standard input
+            folder = Path(path).absolute().parent
+        return process(path, *args, **options)
 
     def find_around(package: str) -> str:
-        around = packages_around(near, package)
-        if around:
+        around = packages_around(folder, package)
+        if near is not None and around:
             return str(around[0])
         try:
             return find(package)
         except LookupError:
-            if clones := packages_of_clones(near, package):
-                return str(clones[0])
+            if places := (*around, *packages_of_clones(folder, package)):
+                return str(places[0])
+            if near is None:
+                raise
             raise XacroException(f"there is no package '{package}', and none around {near}") from None
 
+    xacro.process_file = process_and_remember
     names["_eval_find"] = find_around
 
 
