@@ -12,7 +12,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
 .DEFAULT_GOAL := setup
-.PHONY: help setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean
+.PHONY: help setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean types-here types-win32 types-darwin types-tools types-of-users
 
 # The targets, by the text after ## in the first line of each, and commands without a target, which begin with #>.
 help: ## print this
@@ -64,15 +64,23 @@ test-ros: ## run the tests beside the real rclpy on Fast DDS, of Jazzy and of Ki
 
 test-all: test test-slow test-ros ## run all three
 
-# One cache for each system, because mypy checks all anew where a cache is of another one.
+# Type checkers use one core each. One cache for each system, because mypy checks all anew where a cache is of another one.
 check: ## lint, check the format, and check types as on Linux, Windows and macOS
 	$(set_up) check
 	"$(BIN)/ruff" check .
 	"$(BIN)/ruff" format --check .
+	@$(MAKE) --no-print-directory -j2 -k types-here types-win32 types-darwin types-tools types-of-users
+
+types-here:
 	"$(BIN)/mypy"
-	"$(BIN)/mypy" --platform win32 --cache-dir .mypy_cache/win32
-	"$(BIN)/mypy" --platform darwin --cache-dir .mypy_cache/darwin
+
+types-win32 types-darwin: types-%:
+	"$(BIN)/mypy" --platform $* --cache-dir .mypy_cache/$*
+
+types-tools: types-here # whose cache it shares
 	"$(BIN)/mypy" -p tools
+
+types-of-users:
 	"$(BIN)/basedpyright" --pythonpath "$(BIN)/python"
 
 stub: ## refresh _native.pyi after a change in native/bindings/
