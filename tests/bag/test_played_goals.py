@@ -400,6 +400,11 @@ def test_a_seek_and_a_second_play_begin_anew(local_context: Context, server: Ser
         played.end()
         wait_until(lambda: server.asked == [server.id_of(2)])
         assert server.cancelled == [1, 2, 2]
+        # Nor is a result asked for of a goal that was sent in an earlier course.
+        assert played.player.play_again(START_NS + 31 * STEP_NS, START_NS + 9_000 * STEP_NS)
+        played.end()
+        assert len(server.asked) == 1
+        assert server.cancelled == [1, 2, 2, 2]
         assert played.player.play_again(START_NS, START_NS + 25 * STEP_NS)
         played.end()
         wait_until(lambda: server.cancelled == [1, 2, 2, 2, 1])
