@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import importlib
 import signal
 import threading
 from collections.abc import Callable
@@ -19,6 +20,7 @@ from tfloom.interfaces.example_interfaces.action import Fibonacci
 from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.rcl_interfaces.msg import Log
 from tfloom.interfaces.std_msgs.msg import String
+from tfloom.interfaces.turtlesim.action import RotateAbsolute
 from tfloom.node import client_library
 from tfloom.node.action.client import ActionClient, ClientGoalHandle
 from tfloom.node.action.server import ActionServer, ServerGoalHandle
@@ -626,3 +628,13 @@ def test_resets_of_a_timer_are_told_of(make_node: MakeNode) -> None:
     assert told.counts == [2, 1]
     with pytest.raises(TypeError, match="must be callable"):
         timer.handle.set_on_reset_callback(None)
+
+
+def test_classes_have_the_bases_of_rosidl_pycommon() -> None:
+    bases: Any = importlib.import_module("rosidl_pycommon.interface_base_classes")
+    assert issubclass(String, bases.BaseMessage)
+    assert issubclass(AddTwoInts, bases.BaseService)
+    for action in (Fibonacci, RotateAbsolute):
+        assert issubclass(action, bases.BaseAction)
+        assert issubclass(action.Impl, bases.BaseImpl)
+        assert not issubclass(action.Impl, bases.BaseAction)

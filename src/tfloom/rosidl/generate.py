@@ -144,6 +144,7 @@ class _Module:
             now.append(("tfloom.interfaces.action_msgs.msg", "GoalStatusArray as _GoalStatusArray"))
             now.append(("tfloom.interfaces.action_msgs.srv", "CancelGoal as _CancelGoal"))
             now.append(("tfloom.rosidl.service", "Action as _Action"))
+            now.append(("tfloom.rosidl.service", "ActionImpl as _ActionImpl"))
         if self.kind != "msg":
             now.append(("tfloom.rosidl.service", "Service as _Service"))
         yield from _import_lines(now, "")
@@ -262,7 +263,7 @@ class _Module:
             yield f"    {part}: _TypeAlias = {base}_{part}"
         yield from (
             "",
-            "    class Impl:",
+            "    class Impl(_ActionImpl):",
             '        """The services and messages that carry the action."""',
             "",
         )
