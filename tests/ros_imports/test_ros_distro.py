@@ -109,6 +109,7 @@ print(json.dumps({
     "PLAY_SHOWS_PROGRESS": play._options(playing.parse_args([sys.argv[1]])).progress_hz,
     "NAMES_ARE_OPTIONAL": outcome(lacking_a_name),
     "READS_FLOAT_TAG": repr(parse_value("[!!float 10, !!float 0x10]")),
+    "READS_FLOAT_TAG, unknown": outcome(lambda: parse_value("!!foo 10")),
     "REMOVED": outcome(cache.getLastestTime),
     "metadata": writer.info().ros_distro,
     "ROS_DISTRO": os.environ["ROS_DISTRO"],
@@ -142,6 +143,7 @@ OUTCOMES: dict[str, tuple[Any, Any, Any]] = {
     "PLAY_SHOWS_PROGRESS": (0, 3, 3),
     "NAMES_ARE_OPTIONAL": ("usage", "usage", "CommandError"),
     "READS_FLOAT_TAG": ("[10, 16]", "[10, 16]", "[10.0, 16.0]"),
+    "READS_FLOAT_TAG, unknown": ("10", "10", "ValueError"),
     "REMOVED": ("None", ["DeprecationWarning"], ["DeprecationWarning"]),
     "metadata": DISTRIBUTIONS,
 }

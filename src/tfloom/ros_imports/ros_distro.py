@@ -109,7 +109,7 @@ PLAY_SHOWS_PROGRESS = _choice(jazzy=False, kilted=True, lyrical=True)
 NAMES_ARE_OPTIONAL = _choice(jazzy=False, kilted=False, lyrical=True)
 """Whether a verb that lacks a name says that there is no terminal to pick it on; otherwise it prints its usage."""
 READS_FLOAT_TAG = _choice(jazzy=False, kilted=False, lyrical=True)
-"""Whether `!!float 10` in a file of parameters is a double; otherwise an integer."""
+"""Whether `!!float 10` in a file of parameters is a double, and an unknown tag an error; otherwise tags are ignored."""
 
 REMOVED = {
     "rclpy.qos_event": ("lyrical", "rclpy.event_handler"),

@@ -31,6 +31,8 @@ _MIN_NORMAL = 2.0**-1022
 _BINARY = "tag:yaml.org,2002:binary"
 _FLOAT = "tag:yaml.org,2002:float"
 _MERGE = "tag:yaml.org,2002:merge"
+_KNOWN_TAGS = {_BINARY, _FLOAT, *(f"tag:yaml.org,2002:{kind}" for kind in ("bool", "int", "str"))}
+"""What may stand before a scalar in Lyrical; distributions before ignore what they don't know."""
 _QUOTES = ("'", '"')
 _WORDS = r"(?!\.\.\.)-?[A-Za-z0-9_+./][A-Za-z0-9_+./-]*( [A-Za-z0-9_+./][A-Za-z0-9_+./-]*)*\Z"
 """Text that YAML has no other meaning for, so that yaml, which takes 15 ms to load, isn't needed."""
@@ -160,6 +162,10 @@ def _construct(node: Any, letters: bool) -> Any:
         items = [_construct(item, letters) for item in node.value]
         is_bytes = items and all(item.tag == _BINARY for item in node.value)
         return [byte for item in items for byte in item] if is_bytes else items
+    if node.has_tag and node.tag not in _KNOWN_TAGS and ros_distro.READS_FLOAT_TAG:
+        raise _error(
+            f'Unsupport tag "{node.tag}"', node, "the tags are !!bool, !!int, !!float, !!str and !!binary"
+        )
     if node.style in _QUOTES and node.tag != _BINARY:
         return node.value
     if node.value == "":
