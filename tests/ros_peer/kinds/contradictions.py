@@ -234,9 +234,11 @@ def states_of_a_goal() -> Any:
     """Listen to the status of goals, one of which is rejected."""
     from action_msgs.msg import GoalStatusArray
     from rclpy.action import ActionClient, ActionServer, GoalResponse
-    from rclpy.qos import qos_profile_action_status_default
+    from rclpy.qos import DurabilityPolicy, QoSProfile
     from test_msgs.action import Fibonacci
 
+    # With the default depth, which is 1, a state may be replaced by the next one before it is taken.
+    quality = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     free = threading.Event()
 
     def execute(goal: Any) -> Any:
@@ -250,16 +252,16 @@ def states_of_a_goal() -> Any:
     with Stage() as stage:
         node = stage.node("acts", start_parameter_services=False)
         listener = stage.node("listens", start_parameter_services=False)
-        ActionServer(node, Fibonacci, "numbers", execute, goal_callback=decide)
+        ActionServer(
+            node, Fibonacci, "numbers", execute, goal_callback=decide, status_pub_qos_profile=quality
+        )
         client = ActionClient(listener, Fibonacci, "numbers")
         states: list[int] = []
 
         def hear(message: Any) -> None:
             states.extend(status.status for status in message.status_list)
 
-        listener.create_subscription(
-            GoalStatusArray, "/numbers/_action/status", hear, qos_profile_action_status_default
-        )
+        listener.create_subscription(GoalStatusArray, "/numbers/_action/status", hear, quality)
         assert client.wait_for_server(10.0)
         until(lambda: node.count_subscribers("/numbers/_action/status") == 2)
         refused = result_of(client.send_goal_async(Fibonacci.Goal(order=0)))
