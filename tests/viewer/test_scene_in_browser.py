@@ -354,7 +354,7 @@ def test_saved_view_is_shown_again_and_is_in_the_layout(
     tab.page.evaluate("document.activeElement.blur()")
     tab.page.keyboard.press("Escape")
     tab.page.keyboard.press("t")
-    wait_until(lambda: np.abs(np.subtract(at_red(tab), before)).max() > 0.05, what="another view")
+    wait_until(lambda: np.abs(np.subtract(at_red(tab), before)).max() > 0.04, what="another view")
     viewer.layout_path = tmp_path / "view.yaml"
     tab.click("#save-layout")
     wait_until(viewer.layout_path.exists, what="the file")

@@ -185,7 +185,7 @@ def test_topic_is_shown_twice_and_saved_as_a_file_of_rviz(tab: Tab, tmp_path: Pa
     set_to(tab, "/wall", "color_by", "flat")
     set_to(tab, "/wall", "color", "#ff0000")
     set_to(tab, "/wall", "size_px", 1)
-    wait_until(lambda: 0 < like(tab, (255, 0, 0)) < 5000, what="small red points")
+    wait_until(lambda: 0 < like(tab, (255, 0, 0)) < 8000, what="small red points")
     small = like(tab, (255, 0, 0))
     set_to(tab, "/wall", "size_px", 6)
     wait_until(lambda: like(tab, (255, 0, 0)) > 2 * small, what="large red points")
