@@ -26,6 +26,8 @@ UNPACED = {"TFLOOM_FASTDDS_SERVICES": "0"}
 BY_UDP = {"FASTDDS_BUILTIN_TRANSPORTS": "UDPv4"}
 COMPARED_EVERY = 10
 SOAK_WARM_UP_S = 60.0
+STALLS_AT, STALL_S = 300, 1.0
+"""The message at which a soak's receiver stops once, so that its queue is full, as it may be at any time."""
 LEAST_RECEIVED = 0.9
 """Of a soak's messages: on a busy machine a receiver that is not run for a while misses some."""
 
@@ -65,10 +67,11 @@ def peak_mb() -> float:
 class Receiver:
     """Counts the messages of a stream, and checks them."""
 
-    def __init__(self, node: Any, size: int) -> None:
+    def __init__(self, node: Any, size: int, stalls_at: int) -> None:
         from std_msgs.msg import UInt8MultiArray
 
         self.count = 0
+        self._stalls_at = stalls_at
         self._last = -1
         self._octets = octets_of(size)
         node.create_subscription(UInt8MultiArray, "bench_stream", self._on_message, quality())
@@ -81,17 +84,19 @@ class Receiver:
             raise ValueError(f"message {number} arrived with other octets than were sent")
         self._last = number
         self.count += 1
+        if self.count == self._stalls_at:
+            time.sleep(STALL_S)
 
 
-def receive(size: int, count: int) -> None:
-    """Receive until a line comes on stdin, and print what was received."""
+def receive(size: int, count: int, stalls_at: int = 0) -> None:
+    """Receive until a line comes on stdin, and print what was received; stop once for STALL_S at a message."""
     import threading
 
     import rclpy
 
     rclpy.init()
     node = rclpy.create_node("receives")
-    receiver = Receiver(node, size)
+    receiver = Receiver(node, size, stalls_at)
     is_over = threading.Event()
 
     def wait_for_end() -> None:
@@ -171,7 +176,7 @@ def soak(seconds: float) -> int:
     """Run a stream of 8 MB for a time; return 0 if the memory of both processes is constant after a minute."""
     size, count = SIZES["8 MB"], int(seconds * RATE_HZ)
     with (
-        background("streams", "receive", size, count) as receiver,
+        background("streams", "receive", size, count, STALLS_AT) as receiver,
         background("streams", "send", size, count) as sender,
     ):
         receiver.stdout.readline()
