@@ -23,6 +23,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 TIMING_WORKERS = 3
 WORKERS_PER_CORE = 5
+ROS_WORKERS_PER_CORE = 3
+"""Fewer, because the real rclpy takes several times the CPU time of tfloom: with more, a peer times out."""
 SLOW_WORKERS_PER_CORE = 2
 """Fewer, because slow tests compile and check types with several processes each."""
 MAX_WORKERS = 16
@@ -40,9 +42,9 @@ NOTHING_SELECTED = 5
 """pytest's exit code when it ran no test."""
 
 
-def number_of_workers(*, slow: bool) -> int:
+def number_of_workers(*, slow: bool, ros: bool) -> int:
     """Return the number of processes that run tests in parallel."""
-    per_core = SLOW_WORKERS_PER_CORE if slow else WORKERS_PER_CORE
+    per_core = SLOW_WORKERS_PER_CORE if slow else ROS_WORKERS_PER_CORE if ros else WORKERS_PER_CORE
     return min(MAX_WORKERS, per_core * (os.cpu_count() or 1))
 
 
@@ -176,7 +178,7 @@ def main() -> int:
     if not generate():
         return 1
     adopt_orphans()
-    many = number_of_workers(slow=options.slow)
+    many = number_of_workers(slow=options.slow, ros=options.ros)
     few = [f"--numprocesses={min(TIMING_WORKERS, many)}", *by_file]
     named = [path for argument in rest if (path := Path(argument.partition("::")[0])).exists()]
     if not named:
