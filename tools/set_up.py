@@ -470,9 +470,12 @@ def collect_wheels(folder: Path) -> None:
 
 
 def absolute_find_links() -> dict[str, str]:
-    """Return the variable of pip's folders of wheels, with paths that a build in another folder can follow."""
+    """Return the variable of pip's folders of wheels, with addresses that a build in another folder can follow.
+
+    Pip splits the variable at spaces, which the address of a folder has none of.
+    """
     words = os.environ.get("PIP_FIND_LINKS", "").split()
-    links = [str(ROOT / word) if (ROOT / word).is_dir() else word for word in words]
+    links = [(ROOT / word).as_uri() if (ROOT / word).is_dir() else word for word in words]
     return {"PIP_FIND_LINKS": " ".join(links)} if links else {}
 
 

@@ -15,6 +15,8 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 import pytest
 from tests.conftest import run_to_end
@@ -408,3 +410,18 @@ def test_failed_command_is_named_with_its_last_lines() -> None:
     with pytest.raises(set_up.SetUpError) as raised:
         set_up.output_of([sys.executable, "-c", code], last=2)
     assert str(raised.value) == f"{Path(sys.executable).name} failed:\n8\nthe end"
+
+
+def test_folder_of_wheels_is_passed_as_an_address_without_spaces(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    root = tmp_path / "a clöne"
+    (root / "wheels").mkdir(parents=True)
+    monkeypatch.setattr(set_up, "ROOT", root)
+    monkeypatch.setenv("PIP_FIND_LINKS", "wheels file:///elsewhere nowhere")
+    (links,) = set_up.absolute_find_links().values()
+    address, *others = links.split()
+    assert others == ["file:///elsewhere", "nowhere"]
+    assert Path(url2pathname(urlsplit(address).path)) == root / "wheels"
+    monkeypatch.delenv("PIP_FIND_LINKS")
+    assert set_up.absolute_find_links() == {}
