@@ -12,7 +12,7 @@ set_up = @$(PYTHON) -c 'import sys; v = sys.version_info; \
 	&& $(PYTHON) tools/set_up.py --venv "$(VENV)" $(KEEP) $(SET_UP)
 
 .DEFAULT_GOAL := setup
-.PHONY: help setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean types-here types-win32 types-darwin types-tools types-of-users
+.PHONY: help setup demo test test-slow test-ros test-all check stub generated ros-peer bench docs matrix platforms wheels dist licenses clean
 
 # The targets, by the text after ## in the first line of each, and commands without a target, which begin with #>.
 help: ## print this
@@ -71,6 +71,7 @@ check: ## lint, check the format, and check types as on Linux, Windows and macOS
 	"$(BIN)/ruff" format --check .
 	@$(MAKE) --no-print-directory -j2 -k types-here types-win32 types-darwin types-tools types-of-users
 
+.PHONY: types-here types-win32 types-darwin types-tools types-of-users
 types-here:
 	"$(BIN)/mypy"
 

@@ -188,7 +188,7 @@ def workers_of(wire: str) -> Iterator[Callable[..., Worker]]:
 
     try:
         if wire == "zenoh":
-            router = start("tfloom.cli", "zenoh", "router")
+            router = start("tfloom", "zenoh", "router")
             while "listening on" not in (line := router.read()):
                 if not line:
                     raise RuntimeError("the router has ended")

@@ -79,7 +79,7 @@ def measure_publisher() -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "arm.urdf")
         path.write_text(arm())
-        program = ("tfloom.cli", "run", "robot_state_publisher", "robot_state_publisher", str(path))
+        program = ("tfloom", "run", "robot_state_publisher", "robot_state_publisher", str(path))
         ours = share_of_a_core(*program, "--ros-args", "-p", "ignore_timestamp:=true")
         peer = share_of_a_core("benchmarks.robot.by_messages", str(path))
     what = f"robot_state_publisher, {RATE_HZ} Hz of {JOINTS} joints"

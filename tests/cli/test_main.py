@@ -191,14 +191,14 @@ def test_closed_pipe_ends_without_output() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="closes a file descriptor")
 def test_closed_output_gives_no_traceback() -> None:
-    command = f"exec '{sys.executable}' -m tfloom.cli pkg list >&-"
+    command = f"exec '{sys.executable}' -m tfloom pkg list >&-"
     done = run_to_end(["sh", "-c", command], timeout_s=30)
     assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 def test_full_disk_gives_an_error_message() -> None:
-    command = f"exec '{sys.executable}' -m tfloom.cli pkg list >/dev/full"
+    command = f"exec '{sys.executable}' -m tfloom pkg list >/dev/full"
     done = run_to_end(["sh", "-c", command], timeout_s=30)
     assert (done.returncode, done.stderr) == (1, "tfloom: No space left on device\n")
 
@@ -206,7 +206,7 @@ def test_full_disk_gives_an_error_message() -> None:
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 @pytest.mark.parametrize("stderr", [">/dev/full", ">&-"])
 def test_hint_that_can_not_be_printed_ends_nothing(stderr: str, tmp_path: Path) -> None:
-    command = f"exec '{sys.executable}' -m tfloom.cli pkg create --build-type ament_python made 2{stderr}"
+    command = f"exec '{sys.executable}' -m tfloom pkg create --build-type ament_python made 2{stderr}"
     done = subprocess.run(
         ["sh", "-c", command], cwd=tmp_path, stdout=subprocess.PIPE, text=True, timeout=60, check=False
     )

@@ -59,13 +59,17 @@ def test_raises(ros_domain):
     raise OSError("of the test")
 
 def test_spins_a_thread(ros_graph, ros_context):
+    created = threading.Event()
     def spin():
+        node = Node("in_thread")
+        created.set()
         try:
-            rclpy.spin(Node("in_thread"))
+            rclpy.spin(node)
         except ExternalShutdownException:
             pass
     thread = threading.Thread(target=spin)
     thread.start()
+    assert created.wait(10)
     contexts.append((ros_context, thread))
     assert False
 

@@ -1042,9 +1042,10 @@ class NodeBase:
             raise ValueError(f"create_timer() {too_long('period', timer_period_sec)}")
         if (wrong_group := group_error(callback_group)) is not None:
             raise wrong_group
+        entities = self.__entities
         timer = self.__timer(period_ns, callback, callback_group, clock, autostart=autostart)
         timer.on_destroy = self.destroy_timer
-        return self.__entities.add(timer)
+        return entities.add(timer)
 
     def __timer(
         self,
