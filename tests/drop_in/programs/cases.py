@@ -599,6 +599,7 @@ def case_the_reader_belongs_to_a_hidden_node() -> None:
 
 
 def case_simulated_time() -> None:
+    from rcl_interfaces.msg import Log
     from rosgraph_msgs.msg import Clock
     from tf2_msgs.msg import TFMessage
 
@@ -610,6 +611,9 @@ def case_simulated_time() -> None:
         )
         buffer = Buffer(node=node)
         TransformListener(buffer, node)
+        logged: list[str] = []
+        other.create_subscription(Log, "/rosout", lambda log: logged.append(log.msg), 100)
+        wait_until(lambda: other.count_publishers("/rosout") >= 2)
 
         def set_clock(seconds: int) -> None:
             while node.get_clock().now().nanoseconds != seconds * SECOND:
@@ -629,6 +633,9 @@ def case_simulated_time() -> None:
         tf.publish(TFMessage(transforms=[stamped("world", "marker", 100 * SECOND)]))
         wait_until(lambda: buffer.can_transform("world", "marker", Time(seconds=100)))
         assert buffer.get_latest_common_time("world", "turtle").nanoseconds == 100 * SECOND
+        # The warning comes by another thread, and only while its node is there.
+        while not any("is stamped" in text for text in logged):
+            rclpy.spin_once(other, timeout_sec=0.05)
         set_clock(50)
         assert not buffer.can_transform("world", "turtle", Time(seconds=100))  # cleared
         send(50)
