@@ -31,6 +31,7 @@ from tfloom.rmw.qos import QoS
 from tfloom.tf2_ros.transform_broadcaster import TransformBroadcaster
 from tfloom.viewer import page_server
 from tfloom.viewer.forms.filling import stamp_of_ns
+from tfloom.viewer.page_server import MAX_AHEAD, MAX_NOTED, _Pace
 from tfloom.viewer.program import Viewer
 
 OpenPage = Callable[[Viewer], Page]
@@ -293,3 +294,30 @@ def test_program_asks_for_the_token_and_says_so(start_program: Callable[..., Pro
         connect(bare.replace("http://", "ws://") + "api", proxy=None)
     with urllib.request.urlopen(address, timeout=20.0) as response:
         assert response.status == 200
+
+
+def test_scene_that_never_says_what_it_draws_costs_no_memory_and_is_not_waited_for() -> None:
+    async def waits(pace: _Pace) -> bool:
+        task = asyncio.ensure_future(pace.wait())
+        await asyncio.sleep(0)
+        is_waiting = not task.done()
+        task.cancel()
+        return is_waiting
+
+    async def run() -> None:
+        pace, count = _Pace(), 10 * MAX_NOTED
+        for _ in range(count):
+            pace.note_sent(1000)
+        assert len(pace._sizes) == MAX_NOTED
+        assert not await waits(pace)
+        pace.note_drawn(count - MAX_AHEAD - 1)  # from now on it says so
+        assert len(pace._sizes) == MAX_AHEAD + 1
+        assert await waits(pace)
+        pace.note_drawn(-5)
+        assert await waits(pace)
+        pace.note_drawn(count - MAX_AHEAD)
+        assert not await waits(pace)
+        pace.note_drawn(1 << 80)
+        assert not pace._sizes
+
+    asyncio.run(run())

@@ -445,6 +445,8 @@ MAX_AHEAD = 8
 """Number of messages that a page's scene may have taken and not drawn."""
 MAX_AHEAD_BYTES = 1_000_000
 """… and their size: of larger ones, as of clouds, it gets the next one when the one before is drawn [bytes]."""
+MAX_NOTED = 1000
+"""Number of messages that are noted for a scene that has never said what it has drawn."""
 
 
 class _Pace:
@@ -457,28 +459,32 @@ class _Pace:
     def __init__(self) -> None:
         self._sizes: deque[int] = deque()
         """Of the messages that were sent and not drawn [bytes]."""
-        self._drawn: int | None = None
-        """Number of messages that were drawn; None: the scene has not said so yet."""
+        self._drawn = 0
+        """Number of messages that were drawn, or are taken for drawn."""
+        self._has_said = False
+        """Whether the scene has ever said what it has drawn."""
         self._news = asyncio.Event()
 
     def note_sent(self, size: int) -> None:
         """Note that a message of a size is sent [bytes]."""
         self._sizes.append(size)
+        if not self._has_said and len(self._sizes) > MAX_NOTED:  # it may never say so
+            self._take_as_drawn(1)
 
     def note_drawn(self, count: int) -> None:
         """Note how many messages were drawn from the first one on, as a page says, which may be anything."""
-        before = self._drawn or 0
-        for _ in range(min(max(count - before, 0), len(self._sizes))):
-            self._sizes.popleft()
-            before += 1
-        self._drawn = before
+        self._has_said = True
+        self._take_as_drawn(min(max(count - self._drawn, 0), len(self._sizes)))
         self._news.set()
+
+    def _take_as_drawn(self, count: int) -> None:
+        for _ in range(count):
+            self._sizes.popleft()
+        self._drawn += count
 
     async def wait(self) -> None:
         """Wait until the scene is near enough."""
-        while self._drawn is not None and (
-            len(self._sizes) > MAX_AHEAD or sum(self._sizes) > MAX_AHEAD_BYTES
-        ):
+        while self._has_said and (len(self._sizes) > MAX_AHEAD or sum(self._sizes) > MAX_AHEAD_BYTES):
             self._news.clear()
             await self._news.wait()
 
