@@ -34,6 +34,7 @@ from tfloom.viewer import program
 from tfloom.viewer.displays.interactive_markers import InteractiveMarkersDisplay, handle_of
 from tfloom.viewer.interactive import markers_feed
 from tfloom.viewer.interactive.dragging import Outbox
+from tfloom.viewer.interactive.grabs import sight_of
 from tfloom.viewer.interactive.markers_feed import MarkersFeed
 from tfloom.viewer.live import live_viewer
 from tfloom.viewer.program import Viewer
@@ -284,6 +285,31 @@ class Hand:
     def let_go(self, node: Any) -> None:
         self.say("DragEnd", node)
 
+    def look_down(self) -> None:
+        """Have the camera 5 m above the origin, looking down."""
+        self.scene.tell_camera(position=(0.0, 0.0, 5.0), wxyz=(0.0, 1.0, 0.0, 0.0))
+        client = self.viewer._server.client(self.page.name)
+        assert client is not None
+        wait_until(lambda: tuple(client.camera.position) == (0.0, 0.0, 5.0), what="the camera")
+
+    def pull(self, phase: str, end: tuple[float, float, float], index: int = 0) -> None:
+        """Drag a shape that was grabbed at the origin."""
+        number = self.viewer.view._scene._display_numbers[TOPIC]
+        message = {
+            "type": "SceneNodeDragMessage",
+            "phase": phase,
+            "name": f"/displays/{number}/{index}",
+            "instance_index": None,
+            "start_position": (0.0, 0.0, 0.0),
+            "start_screen_pos": (0.5, 0.5),
+            "end_position": end,
+            "end_screen_pos": (0.5, 0.5),
+            "button": "left",
+            "modifier": None,
+            "owner": "",
+        }
+        self.scene.socket.send(msgspec.msgpack.encode(message))
+
     def click(self, index: int, modifier: str | None = None) -> None:
         number = self.viewer.view._scene._display_numbers[TOPIC]
         message = {
@@ -515,6 +541,133 @@ def test_marker_that_is_erased_under_the_hand_is_gone_and_may_come_again(things:
     hand.let_go(node)
 
 
+def handled(mode: int = Control.MOVE_AXIS) -> InteractiveMarker:
+    return thing(
+        "thing", 0.0, control(mode, "move", local_cube()), control(Control.BUTTON, "push", local_cube())
+    )
+
+
+def shown_shapes(hand: Hand) -> MarkersFeed:
+    """Show the display, and wait until its shapes are drawn."""
+    feed = hand.show()
+    hand.look_down()
+    wait_until(lambda: len(hand.viewer.view._scene._displays.get(TOPIC, ())) >= 2, what="the nodes")
+    hand.gizmo()
+    return feed
+
+
+def test_shape_of_a_control_is_dragged_and_its_gizmo_goes_with_it(things: Things, hand: Hand) -> None:
+    things.insert(handled())
+    shown_shapes(hand)
+    node = hand.gizmo()
+    hand.pull("start", (0.0, 0.0, 0.0))
+    wait_until(lambda: things.types() == [Feedback.MOUSE_DOWN], what="the press")
+    hand.pull("update", (1.0, 0.0, 0.0))
+    wait_until(lambda: things.types() == [Feedback.MOUSE_DOWN, Feedback.POSE_UPDATE], what="a pose")
+    wait_until(lambda: node.position[0] == pytest.approx(1.0), what="the gizmo at its marker")
+    hand.pull("end", (2.0, 0.5, 0.0))
+    wait_until(lambda: things.types()[-1] == Feedback.MOUSE_UP, what="the release")
+    place = things.heard[-1].pose.position
+    # Nearest on the axis to what is under the pointer, which is beside it.
+    assert place.x == pytest.approx(2.0 * 25.0 / 25.25, rel=1e-6)
+    assert (place.y, place.z) == pytest.approx((0.0, 0.0), abs=1e-9)
+    assert {said.control_name for said in things.heard} == {"move"}
+    # A second life: from where it was let go.
+    hand.pull("start", (0.0, 0.0, 0.0))
+    hand.pull("end", (-1.0, 0.0, 0.0))
+    wait_until(lambda: things.types().count(Feedback.MOUSE_UP) == 2, what="the second release")
+    assert things.heard[-1].pose.position.x == pytest.approx(place.x - 1.0)
+
+
+def test_shape_of_a_button_is_not_dragged_and_what_a_page_invents_moves_nothing(
+    things: Things, hand: Hand, viewer: Viewer, open_page: Callable[[Viewer], Page]
+) -> None:
+    things.insert(handled(Control.MOVE_3D))
+    feed = shown_shapes(hand)
+    for phase in ("start", "update", "end"):
+        hand.pull(phase, (1.0, 0.0, 0.0), 1)  # the button's
+        # As it comes when the control was one that moves until a moment ago.
+        sight = sight_of((0.0, 0.0, 5.0), (0.0, 1.0, 0.0, 0.0), (1.0, 0.0, 0.0))
+        client = hand.viewer._server.client_of(hand.page.name)
+        feed._put(markers_feed._Hold(client, 1, phase, sight, (0.0, 0.0, 0.0)))
+    hand.pull("update", (1.0, 0.0, 0.0))  # without a start
+    for end in ((float("nan"), 0.0, 0.0), (float("inf"), 0.0, 0.0), (1e300, 0.0, 0.0), (0.0, 0.0, 5.0)):
+        hand.pull("start", end)
+        hand.pull("update", end)
+    hand.pull("start", (0.0, 0.0, 0.0))
+    wait_until(lambda: things.types() == [Feedback.MOUSE_DOWN], what="the press")
+    hand.pull("update", (float("nan"), 0.0, 0.0))
+    second = Hand(viewer, open_page(viewer))
+    try:
+        wait_until(lambda: second._is_known, what="the second page")
+        second.look_down()
+        second.pull("start", (0.0, 0.0, 0.0))
+        second.pull("update", (9.0, 0.0, 0.0))
+        second.pull("end", (9.0, 0.0, 0.0))
+        hand.pull("update", (0.5, 0.25, 0.0))
+        wait_until(
+            lambda: feed.markers["thing"].message.pose.position.y == pytest.approx(0.25), what="a pose"
+        )
+        hand.pull("end", (float("nan"), 0.25, 0.0))  # an end counts, whatever else it says
+        wait_until(lambda: things.types()[-1] == Feedback.MOUSE_UP, what="the release")
+        assert {(one.client_id, one.control_name) for one in things.heard} == {
+            (things.heard[0].client_id, "move")
+        }
+        assert all(one.pose.position.x <= 0.5 + 1e-9 for one in things.heard)
+    finally:
+        second.end()
+
+
+@pytest.mark.parametrize("way", ["scene", "silence", "erased"])
+def test_drag_of_a_shape_ends_with_its_page_or_its_marker(
+    things: Things, hand: Hand, way: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(program, "HERE_S", 0.5)
+    things.insert(handled())
+    feed = shown_shapes(hand)
+    hand.pull("start", (0.0, 0.0, 0.0))
+    hand.pull("update", (1.0, 0.0, 0.0))
+    wait_until(lambda: Feedback.POSE_UPDATE in things.types(), what="a pose")
+    if way == "erased":
+        things.server.erase("thing")
+        things.server.applyChanges()
+        wait_until(lambda: not feed.markers, what="no marker")
+        hand.pull("update", (2.0, 0.0, 0.0))
+        things.insert(handled())
+        shown_shapes(hand)
+        hand.pull("update", (3.0, 0.0, 0.0))  # of the grab that has ended
+        hand.pull("start", (0.0, 0.0, 0.0))
+        wait_until(lambda: things.types().count(Feedback.MOUSE_DOWN) == 2, what="the next press")
+        assert [one.pose.position.x for one in things.heard][-1] == pytest.approx(0.0, abs=1e-9)
+        hand.pull("end", (0.0, 0.0, 0.0))
+    elif way == "scene":
+        hand.scene.abort()
+    else:
+        hand.is_there = False
+    wait_until(lambda: things.types()[-1] == Feedback.MOUSE_UP, what="the release")
+    wait_until(lambda: not feed._grabs, what="nothing held")
+
+
+def test_shape_is_dragged_from_when_its_control_moves_until_it_does_no_longer(
+    things: Things, hand: Hand
+) -> None:
+    things.insert(handled(Control.BUTTON))
+    shown = hand.show()
+    hand.look_down()
+    scene = hand.viewer.view._scene
+    wait_until(lambda: len(scene._displays.get(TOPIC, ())) >= 2, what="the nodes")
+
+    def is_dragged() -> bool:
+        return bool(scene._displays[TOPIC][0]._handle._impl.drag_cb)
+
+    assert not is_dragged()
+    things.insert(handled())
+    wait_until(is_dragged, what="a shape that is dragged")
+    things.insert(handled(Control.MENU))
+    wait_until(lambda: not is_dragged(), what="one that isn't")
+    assert shown.status == ""
+
+
 def test_button_is_pushed_and_menu_is_told_to_the_page(things: Things, hand: Hand, page: Page) -> None:
     made = thing("thing", 0.0, control(Control.BUTTON, "push", local_cube()), description="A thing")
     things.insert(made)
@@ -601,7 +754,7 @@ def test_server_that_ends_without_a_word_leaves_no_marker(domain_id: int, hand: 
         brief.server._is_shut_down = True  # it erases nothing
     wait_until(lambda: not feed.markers, what="the end of the markers")
     wait_until(lambda: feed.status == f"nobody publishes {TOPIC}", what="the sentence")
-    assert feed._dragging.keys == set()
+    assert feed._dragging._drags == {}
 
 
 def test_display_that_is_switched_off_and_on_has_its_markers_again(

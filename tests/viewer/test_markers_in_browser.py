@@ -41,7 +41,9 @@ def things(module_domain_id: int) -> Iterator[Things]:
         slider.description = "along y"
         box = thing("box", 0.0, control(Control.MENU, "ask", cube(b=1.0)), description="A box")
         box.pose.position.z = 1.6
-        made.insert(slider, box)
+        puck = thing("puck", 0.0, control(Control.MOVE_PLANE, "across", cube(r=1.0, g=1.0)))
+        puck.pose.position.y = -1.2
+        made.insert(slider, box, puck)
         yield made
         made.server.shutdown()
 
@@ -94,6 +96,10 @@ def is_blue(pixels: np.ndarray) -> np.ndarray:
     return (pixels[..., 2] > 100) & (pixels[..., 0] < 60) & (pixels[..., 1] < 60)
 
 
+def is_yellow(pixels: np.ndarray) -> np.ndarray:
+    return (pixels[..., 0] > 150) & (pixels[..., 1] > 150) & (pixels[..., 2] < 130)
+
+
 def grab(tab: Tab, things: Things) -> tuple[float, float]:
     """Press the mouse on the arrow of the slider, and return where."""
     x, y = spot(tab, is_red, at_end=True)
@@ -137,6 +143,30 @@ def test_marker_is_dragged_along_its_axis_and_stays_where_it_was_let_go(tab: Tab
     wait_until(lambda: spot(tab, is_red, at_end=True)[0] > x + 20.0, what="the gizmo where it was let go")
     tab.keep("marker_dragged")
     assert {said.control_name for said in things.heard} == {"along"}
+
+
+def test_shape_of_a_marker_is_dragged_across_the_view_and_its_camera_stays(tab: Tab, things: Things) -> None:
+    x, y = spot(tab, is_yellow, at_end=True)
+    tab.page.mouse.move(x, y)
+    tab.page.wait_for_timeout(500)  # the scene notes what is under the pointer when it draws
+    tab.page.mouse.down()
+    drag(tab, things, x, y, 50.0)
+    tab.keep("marker_shape_grabbed")
+    tab.page.mouse.up()
+    wait_until(
+        lambda: tab.page.wait_for_timeout(50) or things.types()[-1] == Feedback.MOUSE_UP, what="the release"
+    )
+    assert things.types()[0] == Feedback.MOUSE_DOWN
+    assert {said.control_name for said in things.heard} == {"across"}
+    made = things.server.get("puck")
+    assert made is not None
+    place = made.pose.position
+    # Its plane is across the axis x, along which the camera looks: to the right is +y.
+    assert place.y > -1.1
+    assert place.x == pytest.approx(0.0, abs=1e-6)
+    tab.page.mouse.move(x, 470.0)  # what is under the pointer has another colour
+    wait_until(lambda: spot(tab, is_yellow, at_end=True)[0] > x + 20.0, what="the shape where it was let go")
+    tab.keep("marker_shape_dragged")
 
 
 def test_menu_opens_by_a_click_and_its_entry_is_chosen(tab: Tab, things: Things) -> None:

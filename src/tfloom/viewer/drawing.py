@@ -64,6 +64,7 @@ class Drawn:
     ) -> None:
         self._scene = scene
         self._on_click = on_click
+        self._on_drag: Callable[[Any], object] | None = None
         self._name = name
         self._shape = shape
         self._offset = np.zeros(3)
@@ -83,7 +84,19 @@ class Drawn:
         if self._on_click is not None and hasattr(handle, "on_click"):
             handle.on_click(self._on_click)
             handle.on_click(modifier="shift")(self._on_click)
+        if self._on_drag is not None and hasattr(handle, "on_drag"):
+            handle.on_drag("left")(self._on_drag)
         return handle
+
+    def set_on_drag(self, on_drag: Callable[[Any], object] | None) -> None:
+        """Have it dragged, or no longer: `on_drag` takes viser's events. One that takes them already is kept."""
+        if (on_drag is None) == (self._on_drag is None) or not hasattr(self._handle, "on_drag"):
+            return
+        self._on_drag = on_drag
+        if on_drag is None:
+            self._handle.remove_drag_callback()
+        else:
+            self._handle.on_drag("left")(on_drag)
 
     def change(self, shape: shapes.Shape) -> None:
         """Draw another shape at the same place."""

@@ -265,6 +265,10 @@ class Feed:
         """What takes the number of a shape that is clicked and viser's event, on a thread of viser; None: nothing."""
         return None
 
+    def on_drag(self, _index: int) -> Callable[[Any], Any] | None:
+        """Return what takes viser's events of a drag of a shape that was drawn; None for one that isn't dragged."""
+        return None
+
     def choose_entry(self, client: int, command: Mapping[str, Any]) -> None:
         """Choose an entry of the menu of an interactive marker.
 

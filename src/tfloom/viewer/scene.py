@@ -267,6 +267,7 @@ class Scene:
         placed: Sequence[tuple[Shape, Pose | None]],
         frames: Sequence[str] = (),
         clicked: Callable[[int, Any], None] | None = None,
+        dragged: Callable[[int], Callable[[Any], object] | None] | None = None,
     ) -> str:
         """Draw what a display shows, in place of what it showed before; shapes without a pose are hidden.
 
@@ -276,6 +277,8 @@ class Scene:
             frames: The frame of each shape, which a click on it selects; empty: clicks do nothing.
             clicked: Called in place of that with the number of a shape and viser's event, on a thread of viser; the
                 same as long as the display is there.
+            dragged: Returns what takes viser's events of a drag of the shape of a number, the same for each shape
+                there; or None, for one that isn't dragged.
 
         Returns:
             Why one of the shapes can't be drawn, which doesn't hide the others; empty if all are.
@@ -292,6 +295,8 @@ class Scene:
                 on_click = partial(self._shape_clicked, topic, index) if frames else None
                 on_click = on_click if clicked is None else partial(clicked, index)
                 now = self._drawn(f"/displays/{number}/{index}", now, shape, on_click)
+                if dragged is not None and isinstance(now, Drawn):
+                    now.set_on_drag(dragged(index))
                 now.place(pose)
             except Exception as error:  # of one shape: the others are drawn
                 if now is not None:

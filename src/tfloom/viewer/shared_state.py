@@ -649,7 +649,7 @@ class SharedView:
         for topic, feed in self._feeds.items():
             try:
                 drawn = self._drawn[topic] = feed.draw(self.buffer, fixed, held_ns, now_ns)
-                fault = self._scene.draw_display(topic, drawn, feed.frames(), feed.on_click)
+                fault = self._scene.draw_display(topic, drawn, feed.frames(), feed.on_click, feed.on_drag)
                 feed.status = feed.status or shown_text(fault)
             except Exception as error:  # of one display: the others are drawn
                 feed.fail(error)

@@ -40,6 +40,8 @@ class _Drag:
     """… and of the marker, in the fixed frame."""
     said_s: float
     """When its server was told of it last, on the monotonic clock [s]."""
+    is_of_shape: bool
+    """Whether the page holds a shape of the control, not the gizmo."""
     is_moved: bool = False
     """Whether there is a pose that its server was not told."""
 
@@ -65,12 +67,17 @@ class Dragging:
         self._drags: dict[str, _Drag] = {}
 
     @property
-    def keys(self) -> set[Key]:
-        """The controls that are dragged."""
-        return {drag.key for drag in self._drags.values()}
+    def held_gizmos(self) -> set[Key]:
+        """The controls whose gizmos are dragged."""
+        return {drag.key for drag in self._drags.values() if not drag.is_of_shape}
+
+    def holds(self, client: int, key: Key) -> bool:
+        """Return whether the page of a scene drags a control."""
+        drag = self._drags.get(key[0])
+        return drag is not None and (drag.client, drag.key) == (client, key)
 
     def take(self, event: Event, known: KnownMarker | None, fixed_from_frame: Transform | None) -> None:
-        """Take what a page has done with a gizmo.
+        """Take what a page has done with a gizmo, or with a shape in its place.
 
         Args:
             event: What it has done.
@@ -85,7 +92,8 @@ class Dragging:
             if drag is None and self._is_holding(event.client):
                 self._start(event, known, fixed_from_frame)
             return
-        if drag is None or (drag.key, drag.client) != (event.key, event.client):
+        held = (event.key, event.client, event.is_of_shape)
+        if drag is None or (drag.key, drag.client, drag.is_of_shape) != held:
             return  # of one who was second, or whose drag was ended
         _move(drag, event.place, known, fixed_from_frame)
         if event.phase == "end":
@@ -96,7 +104,7 @@ class Dragging:
         place = fixed_from_frame @ known.frame_from_marker
         control = known.message.controls[number].name
         drag = self._drags[name] = _Drag(
-            event.key, event.client, control, event.place, place, time.monotonic()
+            event.key, event.client, control, event.place, place, time.monotonic(), event.is_of_shape
         )
         known.is_dragged = True
         self._say(drag, known, Feedback.MOUSE_DOWN)

@@ -37,7 +37,7 @@ class Gizmo(NamedTuple):
 
 
 class Event(NamedTuple):
-    """What a page has done with a gizmo."""
+    """What a page has done with a gizmo, or with a shape of a control in its place."""
 
     key: Key
     client: int
@@ -46,6 +46,8 @@ class Event(NamedTuple):
     """`start`, `update` or `end`."""
     place: Transform
     """Where the gizmo is, in the fixed frame."""
+    is_of_shape: bool = False
+    """Whether it was done with a shape: the gizmo goes where the marker goes."""
 
 
 class Gizmos:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import queue
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Coroutine, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from tfloom._native import ReadyQueue
 from tfloom.interfaces.visualization_msgs.msg import (
@@ -20,7 +22,7 @@ from tfloom.rmw.typed_names import topic_of
 from tfloom.rosidl import cdr
 from tfloom.tf2.errors import TransformException
 from tfloom.tf2.transform import Transform
-from tfloom.viewer.displays.display import shown_text
+from tfloom.viewer.displays.display import MAX_COORDINATE_M, shown_text
 from tfloom.viewer.displays.interactive_markers import (
     InteractiveMarkersDisplay,
     KnownMarker,
@@ -31,6 +33,7 @@ from tfloom.viewer.displays.kinds import UPDATE_SUFFIX
 from tfloom.viewer.feed import Feed, pose_in
 from tfloom.viewer.interactive.dragging import Dragging, Outbox
 from tfloom.viewer.interactive.gizmos import Event, Gizmo, Gizmos, Key
+from tfloom.viewer.interactive.grabs import MODES, Grab, Sight, sight_of
 from tfloom.viewer.obstacles import MAX_STATUS, transform_text
 from tfloom.viewer.page_command import PageError, fault_text, text, whole
 from tfloom.viewer.shapes import DisplayError, Placed, Shape
@@ -81,6 +84,20 @@ class _Click(NamedTuple):
     """The place in the scene, from 0 to 1."""
 
 
+class _Hold(NamedTuple):
+    """A drag of a shape."""
+
+    client: int
+    part: int
+    """The number of the shape among those that were drawn."""
+    phase: str
+    """`start`, `update` or `end`."""
+    sight: Sight | None
+    """None: what the page says of its pointer is of no use."""
+    point: tuple[float, float, float]
+    """The point of the shape that was grabbed, in the fixed frame [m]."""
+
+
 class MarkersFeed(Feed):
     """What a display of interactive markers shows, and what it tells their server.
 
@@ -94,7 +111,7 @@ class MarkersFeed(Feed):
     def __init__(self, topic: str, kind: Kind, cursor: Cursor, station: Station) -> None:
         self._station = station
         self._namespace = topic.removesuffix(UPDATE_SUFFIX)
-        self._events: queue.SimpleQueue[Event | _Click] = queue.SimpleQueue()
+        self._events: queue.SimpleQueue[Event | _Click | _Hold] = queue.SimpleQueue()
         self._gizmos = Gizmos(station.scene, self._put)
         name = f"{station.node.full}{topic}"
         self._outbox = Outbox(self._publish)
@@ -108,6 +125,8 @@ class MarkersFeed(Feed):
         """Why the server's response can't be had."""
         self._drawn: list[tuple[str, int]] = []
         """The marker and the control of each shape that was drawn."""
+        self._grabs: dict[int, Grab] = {}
+        """The shapes that pages hold, by viser's numbers of their scenes."""
         self._frames: dict[str, Transform] = {}
         """The pose of each marker's frame in the fixed one, where it is known."""
         self._fixed_frame = ""
@@ -221,7 +240,7 @@ class MarkersFeed(Feed):
 
     # What pages do.
 
-    def _put(self, event: Event | _Click) -> None:
+    def _put(self, event: Event | _Click | _Hold) -> None:
         """Note an event; on a thread of viser."""
         if self._events.qsize() < MAX_EVENTS:
             self._events.put(event)
@@ -235,6 +254,24 @@ class MarkersFeed(Feed):
         across, down = event.screen_pos
         self._put(_Click(event.client_id, index, event.modifier is not None, (float(across), float(down))))
 
+    def on_drag(self, index: int) -> Callable[[Any], Coroutine[Any, Any, None]] | None:
+        """Return what takes viser's events of a drag of a shape that was drawn; None for one that isn't dragged."""
+        name, number = self._drawn[index]
+        known = self.markers.get(name)
+        if known is None or number < 0 or known.message.controls[number].interaction_mode not in MODES:
+            return None
+
+        async def hear(event: Any) -> None:  # not on viser's pool of threads, where the order would be lost
+            camera = event.client.camera
+            sight = sight_of(camera.position, camera.wxyz, event.end_position)
+            point = tuple(event.start_position)
+            if not (np.abs(point) < MAX_COORDINATE_M).all():
+                sight = None
+            if sight is not None or event.phase == "end":
+                self._put(_Hold(event.client_id, index, event.phase, sight, point))
+
+        return hear
+
     def _take_events(self) -> None:
         while True:
             try:
@@ -243,6 +280,8 @@ class MarkersFeed(Feed):
                 return
             if isinstance(event, _Click):
                 self._take_click(event)
+            elif isinstance(event, _Hold):
+                self._take_hold(event)
             else:
                 name, _ = event.key
                 self._dragging.take(event, self.markers.get(name), self._frames.get(name))
@@ -258,6 +297,44 @@ class MarkersFeed(Feed):
             self._dragging.say(click.client, known, control.name, InteractiveMarkerFeedback.BUTTON_CLICK)
         elif known.message.menu_entries:
             self._station.answer(click.client, {"marker_menu": self._menu_of(known, control.name, click.at)})
+
+    def _take_hold(self, hold: _Hold) -> None:
+        """Move a marker by a shape of its own, as by its gizmo."""
+        grab = self._grab_of(hold) if hold.phase == "start" else self._grabs.get(hold.client)
+        if grab is None:
+            return
+        if hold.phase != "start" and hold.sight is not None:
+            grab.move(hold.sight)
+        known, frame = self.markers.get(grab.key[0]), self._frames.get(grab.key[0])
+        event = Event(grab.key, hold.client, hold.phase, grab.place, is_of_shape=True)
+        self._grabs[hold.client] = grab
+        self._dragging.take(event, known, frame)
+
+    def _grab_of(self, hold: _Hold) -> Grab | None:
+        """Return what a page has grabbed; None if it isn't there any more, or nothing that is dragged."""
+        if hold.sight is None or hold.part >= len(self._drawn):
+            return None
+        name, number = self._drawn[hold.part]
+        known, frame = self.markers.get(name), self._frames.get(name)
+        if known is None or frame is None or not 0 <= number < len(known.message.controls):
+            return None
+        control = known.message.controls[number]
+        if control.interaction_mode not in MODES:
+            return None
+        try:
+            place = frame @ known.frame_from_marker
+            turn = _turn_of(control, frame, place)
+        except DisplayError:  # the status has it
+            return None
+        return Grab(
+            (name, number),
+            control.interaction_mode,
+            place,
+            turn,
+            hold.sight,
+            np.array(hold.point),
+            faces_view=control.orientation_mode == InteractiveMarkerControl.VIEW_FACING,
+        )
 
     def _menu_of(self, known: KnownMarker, control: str, at: tuple[float, float]) -> dict[str, Any]:
         entries = known.message.menu_entries
@@ -322,6 +399,8 @@ class MarkersFeed(Feed):
         self._listen()
         self._take_events()
         self._dragging.look(self.markers)
+        held = self._grabs.items()
+        self._grabs = {client: grab for client, grab in held if self._dragging.holds(client, grab.key)}
         self._outbox.send_one()
         obstacle = self._find_frames(buffer, fixed_frame, held_ns)
         drawn: list[tuple[Shape, Pose | None]] = []
@@ -329,7 +408,7 @@ class MarkersFeed(Feed):
         gizmos: dict[Key, Gizmo] = {}
         for name, known in self.markers.items():
             obstacle = self._draw_marker(buffer, name, known, drawn, gizmos, held_ns) or obstacle
-        fault = self._gizmos.draw({} if held_ns is not None else gizmos, self._dragging.keys)
+        fault = self._gizmos.draw({} if held_ns is not None else gizmos, self._dragging.held_gizmos)
         self.status = shown_text(self._status(held_ns) or self._shown.status or obstacle or fault, MAX_STATUS)
         return drawn
 
@@ -385,16 +464,11 @@ class MarkersFeed(Feed):
             if (handle := handle_of(control)) is None:
                 continue
             try:
-                turn = rotation_of(control)
+                turn = _turn_of(control, fixed_from_frame, fixed_from_marker)
             except DisplayError as error:
                 obstacle = str(error)
                 continue
-            base = (
-                fixed_from_frame
-                if control.orientation_mode == InteractiveMarkerControl.FIXED
-                else fixed_from_marker
-            )
-            place = Transform(fixed_from_marker.translation, (base @ turn).rotation_xyzw)
+            place = Transform(fixed_from_marker.translation, turn.rotation_xyzw)
             gizmos[name, number] = Gizmo(handle, known.size_m, place)
         return obstacle
 
@@ -406,3 +480,13 @@ class MarkersFeed(Feed):
             return pose_in(buffer, self._fixed_frame, placed, held_ns)[0]
         place = fixed_from_marker @ Transform(placed.position, placed.rotation_xyzw)
         return place.translation, place.rotation_xyzw
+
+
+def _turn_of(control: Any, fixed_from_frame: Transform, fixed_from_marker: Transform) -> Transform:
+    """Return the rotation of a control in the fixed frame.
+
+    Raises:
+        DisplayError: a number of it is not finite.
+    """
+    is_fixed = control.orientation_mode == InteractiveMarkerControl.FIXED
+    return (fixed_from_frame if is_fixed else fixed_from_marker) @ rotation_of(control)
