@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tfloom.robot.urdf_faults import UrdfError
-from tfloom.robot.visuals import BallForm, BoxForm, CylinderForm, MeshForm, read_visuals
+from tfloom.robot.visuals import GREY, BallForm, BoxForm, CylinderForm, MeshForm, read_visuals
 
 
 def robot(link: str, before: str = "") -> str:
@@ -32,6 +32,35 @@ def test_material_of_one_link_is_used_by_another() -> None:
     <link name="b"><visual>{box}<material name="m"/></visual></link></robot>"""
     assert [visual.color for visual in read_visuals(text)] == [(255, 255, 0)] * 2
     assert read_visuals(text)[0].form == BoxForm((1.0, 1.0, 1.0))
+
+
+def test_texture_of_a_material_comes_with_its_colour_and_its_name() -> None:
+    box = "<geometry><box size='1 1 1'/></geometry>"
+    wood = '<material name="wood"><texture filename="package://p/wood.png"/></material>'
+    both = '<material name="both"><color rgba="1 0 0 1"/><texture filename="red.png"/></material>'
+    links = [
+        '<material name="wood"/>',
+        both,
+        '<material name="both"/>',
+        '<material name="red"><color rgba="1 0 0 1"/><texture filename=""/></material>',  # as of an exporter
+        '<material name="wood"><texture/></material>',
+        '<material name="red"/>',
+        "",
+    ]
+    text = "".join(
+        f'<link name="{number}"><visual>{box}{material}</visual></link>'
+        for number, material in enumerate(links)
+    )
+    visuals = read_visuals(f'<robot name="r">{wood}{text}</robot>')
+    assert [(visual.texture, visual.has_color, visual.color) for visual in visuals] == [
+        ("package://p/wood.png", False, GREY),
+        ("red.png", True, (255, 0, 0)),
+        ("red.png", True, (255, 0, 0)),
+        ("", True, (255, 0, 0)),
+        ("package://p/wood.png", False, GREY),
+        ("", True, (255, 0, 0)),
+        ("", False, GREY),
+    ]
 
 
 @pytest.mark.parametrize(

@@ -51,6 +51,7 @@ collect_ignore = (
         "test_open_ports.py",
         "test_page_scenes.py",
         "test_scene_in_browser.py",
+        "test_textures.py",
         "test_viser_private.py",
     ]
 )

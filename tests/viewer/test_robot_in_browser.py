@@ -131,6 +131,56 @@ def test_robot_of_a_file_is_moved_by_sliders_and_clicked(
     assert view.wait() == 0, view.output
 
 
+SIGNS = """<robot name="signs"><link name="base">
+<visual><origin xyz="0 0 1"/><geometry><mesh filename="quad.obj"/></geometry>
+<material name="two"><texture filename="two.png"/></material></visual>
+<visual><origin xyz="0 3 1"/><geometry><mesh filename="cube.stl" scale="2 2 2"/></geometry>
+<material name="one"><texture filename="one.png"/></material></visual></link></robot>"""
+QUAD = """v 0 -1 -1
+v 0 1 -1
+v 0 1 1
+v 0 -1 1
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+f 1/1 2/2 3/3
+f 1/1 3/3 4/4
+"""
+"""A square that is seen from before it, along -x."""
+
+
+def test_texture_is_seen_on_a_mesh_that_has_coordinates_and_its_colour_on_one_without(
+    browser: Any, start_program: Callable[..., Any], tmp_path: Path
+) -> None:
+    trimesh = pytest.importorskip("trimesh")
+    image = pytest.importorskip("PIL.Image")
+    (tmp_path / "signs.urdf").write_text(SIGNS)
+    (tmp_path / "quad.obj").write_text(QUAD)
+    trimesh.creation.box((1, 1, 1)).export(tmp_path / "cube.stl")
+    two = np.zeros((64, 64, 3), np.uint8)
+    two[:, :32], two[:, 32:] = (255, 0, 0), (0, 255, 0)  # along u, so along y
+    image.fromarray(two).save(tmp_path / "two.png")
+    image.new("RGB", (8, 8), (0, 0, 255)).save(tmp_path / "one.png")
+    view = start_program("tfloom", "view", str(tmp_path / "signs.urdf"), "--no-open", "--port", "0")
+    address = view.wait_for("Open http://127.0.0.1:").removeprefix("Open ")
+    tab = Tab(browser, address, "&camera=9,1.5,1&look_at=0,1.5,1")
+
+    def places(channel: int) -> Any:
+        pixels = tab.pixels()
+        others = np.delete(pixels, channel, axis=2).max(axis=2)
+        return np.argwhere((pixels[:, :, channel] > 90) & (pixels[:, :, channel] > 1.4 * others))
+
+    wait_until(lambda: all(len(places(channel)) > 300 for channel in range(3)), what="the three colours")
+    tab.keep("textures")
+    across = [float(np.median(places(channel)[:, 1])) for channel in range(3)]
+    assert across[0] < across[1] < across[2]  # red, green and the blue cube, as y grows to the right
+    tab.page.close()
+    assert tab.faults == []
+    view.signal(signal.SIGINT)
+    assert view.wait() == 0, view.output
+
+
 def test_point_is_as_wide_on_the_screen_near_and_far(
     browser: Any, start_program: Callable[..., Program], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

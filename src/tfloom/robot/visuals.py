@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from tfloom._native import Transform
 from tfloom.robot.urdf_faults import UrdfError
@@ -77,6 +78,18 @@ class Visual:
     opacity: float = 1.0
     has_color: bool = False
     """Whether the description has the colour; one of a mesh's own counts otherwise."""
+    texture: str = ""
+    """The picture of its material, as `package://my_robot/meshes/wood.png`, which counts in place of the colour; empty:
+    none."""
+
+
+class _Material(NamedTuple):
+    """What a material defines."""
+
+    rgba: tuple[float, ...] | None
+    """Each from 0 to 1; None: no colour."""
+    texture: str
+    """As of `Visual`."""
 
 
 def read_visuals(text: str | bytes) -> list[Visual]:
@@ -92,19 +105,19 @@ def read_visuals(text: str | bytes) -> list[Visual]:
     if robot.tag != "robot":
         raise UrdfError(robot.line, f"the outermost element is <{robot.tag}>, not <robot>")
     materials = {
-        material.attributes.get("name", ""): rgba
-        for material in robot.all_of("material")
-        if (rgba := _rgba(material)) is not None
+        element.attributes.get("name", ""): material
+        for element in robot.all_of("material")
+        if (material := _material(element)) is not None
     }
     visuals = []
     for link in robot.all_of("link"):
         name = required(link, "name", "a link")
         for visual in link.all_of("visual"):
             visuals += _visuals(visual, name, materials)
-            material = visual.first("material")
+            element = visual.first("material")
             # A material that one link defines may be used by those after it, by its name.
-            if material is not None and (rgba := _rgba(material)) is not None:
-                materials.setdefault(material.attributes.get("name", ""), rgba)
+            if element is not None and (material := _material(element)) is not None:
+                materials.setdefault(element.attributes.get("name", ""), material)
     return visuals
 
 
@@ -141,18 +154,28 @@ def _placed_forms(element: Element, what: str) -> list[tuple[Transform, Form]]:
     return [(origin, body), *((end, BallForm(body.radius)) for end in ends)]
 
 
-def _visuals(element: Element, link: str, materials: dict[str, tuple[float, ...]]) -> list[Visual]:
+def _visuals(element: Element, link: str, materials: dict[str, _Material]) -> list[Visual]:
     what = f"a visual of the link '{link}'"
     forms = _placed_forms(element, what)
-    material = element.first("material")
-    rgba = None
-    if material is not None:
-        rgba = _rgba(material) or materials.get(material.attributes.get("name", ""))
-    if rgba is None:
+    used = element.first("material")
+    material = None
+    if used is not None:
+        material = _material(used) or materials.get(used.attributes.get("name", ""))
+    if material is None:
         return [Visual(link, origin, form) for origin, form in forms]
-    red, green, blue, opacity = (min(max(part, 0.0), 1.0) for part in rgba)
+    visuals = [Visual(link, origin, form, texture=material.texture) for origin, form in forms]
+    if material.rgba is None:
+        return visuals
+    red, green, blue, opacity = (min(max(part, 0.0), 1.0) for part in material.rgba)
     color = round(255 * red), round(255 * green), round(255 * blue)
-    return [Visual(link, origin, form, color, opacity, has_color=True) for origin, form in forms]
+    return [replace(visual, color=color, opacity=opacity, has_color=True) for visual in visuals]
+
+
+def _material(element: Element) -> _Material | None:
+    """Return what a material defines; None for one that only names another, also by a texture without a name."""
+    texture = element.first("texture")
+    material = _Material(_rgba(element), texture.attributes.get("filename", "") if texture else "")
+    return None if material == (None, "") else material
 
 
 def _rgba(material: Element) -> tuple[float, ...] | None:

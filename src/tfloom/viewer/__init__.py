@@ -10,7 +10,8 @@
 - drawing, scene, scene_server, viser_private: viser's scene and server
 - page_scenes, page_camera, labels, picking, measuring: what of the scene is each page's own: how its camera moves,
   which names it shows, what its pointer is at, and what it measures
-- mesh_files, mesh_places, extents: files of meshes and where they are; how far shapes reach, for cameras
+- mesh_files, textures, mesh_places: files of meshes and of what is on them, and where they are
+- extents: how far shapes reach, for cameras
 - joints, published_joints: joints that pages move, those of a file or those that this process publishes
 - described: a robot of a file, without a graph
 - page_server, page_command: the server of our page, and what it is asked for

@@ -5,19 +5,22 @@ from __future__ import annotations
 import io
 import json
 import math
-import os
 from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 from xml.parsers.expat import ExpatError
 
 import numpy as np
 
-from tfloom.common.files import open_regular, read_at_most
+from tfloom.common.files import open_regular
 from tfloom.common.xml import make_parser
 from tfloom.viewer.mesh_places import find_mesh
 from tfloom.viewer.shapes import Color, DisplayError, Model
+from tfloom.viewer.textures import FileKey, Texture, content_of, file_key
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 __all__ = ["read_model", "translucent"]
 
@@ -29,13 +32,25 @@ MAX_KEPT = 256
 MAX_SCALE = 1e6
 GLB_MAGIC = b"glTF\2\0\0\0"
 
-_Key = tuple[str, int, int, Color | None]
-_kept: dict[_Key, bytes | DisplayError] = {}
-"""The meshes that were used last, and why others can't be read, by path, time of change, size and colour."""
+
+class _Made(NamedTuple):
+    """What was made of a file."""
+
+    glb: bytes
+    has_texture: bool = False
+
+
+_Key = tuple[str, int, int, Color | None, FileKey | None]
+_kept: dict[_Key, _Made | DisplayError] = {}
+"""The meshes that were used last, and why others can't be read, by path, time of change, size, colour and texture."""
 
 
 def read_model(
-    uri: str, scale: tuple[float, float, float], color: Color | None = None, near: Path | None = None
+    uri: str,
+    scale: tuple[float, float, float],
+    color: Color | None = None,
+    near: Path | None = None,
+    texture: Texture | None = None,
 ) -> Model:
     """Return the mesh of a file. One thread may call it.
 
@@ -44,37 +59,26 @@ def read_model(
         scale: Along x, y and z.
         color: The colour of all of it; None: those of the file.
         near: The folder of the description, if that is a file's; None: it came over the wire.
+        texture: What is on all of it, in place of a colour: a mesh without texture coordinates has its mean colour.
 
     Raises:
         DisplayError: there is no such file, or it is not a mesh that can be read.
     """
     if not all(math.isfinite(part) and abs(part) < MAX_SCALE for part in scale):
         raise DisplayError(f"the scale of {uri} is not finite")
-    path = find_mesh(uri, near)
     try:
+        path = find_mesh(uri, near)
         with open_regular(path) as file:
-            status = os.fstat(file.fileno())
-            key = str(path), status.st_mtime_ns, status.st_size, color
-            return Model(_remembered(key, lambda: _glb(path, _content(file, uri), color)), scale)
+            key = *file_key(path, file), color, texture.key if texture else None
+            made = _remembered(
+                key, lambda: _made(path, content_of(file, uri, MAX_FILE_BYTES), color, texture)
+            )
     except (OSError, ValueError) as error:
         raise DisplayError(f"{uri} can't be read: {getattr(error, 'strerror', None) or error}") from None
+    return Model(made.glb, scale, made.has_texture)
 
 
-def _content(file: io.FileIO, uri: str) -> bytes:
-    """Return the bytes of a file.
-
-    Raises:
-        DisplayError: there are too many.
-        OSError: it can't be read.
-    """
-    size = os.fstat(file.fileno()).st_size
-    content = read_at_most(file, MAX_FILE_BYTES) if size <= MAX_FILE_BYTES else None
-    if content is None:
-        raise DisplayError(f"{uri} has more than {MAX_FILE_BYTES} bytes")
-    return content
-
-
-def _remembered(key: _Key, make: Callable[[], bytes]) -> bytes:
+def _remembered(key: _Key, make: Callable[[], _Made]) -> _Made:
     """Return what was made of a file before, or make it; what can't be read isn't tried again until it changes.
 
     Raises:
@@ -89,7 +93,7 @@ def _remembered(key: _Key, make: Callable[[], bytes]) -> bytes:
     _kept[key] = made
     while len(_kept) > 1 and (
         len(_kept) > MAX_KEPT
-        or sum(len(kept) for kept in _kept.values() if isinstance(kept, bytes)) > MAX_KEPT_BYTES
+        or sum(len(kept.glb) for kept in _kept.values() if isinstance(kept, _Made)) > MAX_KEPT_BYTES
     ):
         del _kept[next(iter(_kept))]
     if isinstance(made, DisplayError):
@@ -97,8 +101,8 @@ def _remembered(key: _Key, make: Callable[[], bytes]) -> bytes:
     return made
 
 
-def _glb(path: Path, data: bytes, color: Color | None) -> bytes:
-    """Return a file's mesh as binary glTF; one that is glTF already is returned as it is.
+def _made(path: Path, data: bytes, color: Color | None, texture: Texture | None) -> _Made:
+    """Return a file's mesh as binary glTF; one that is glTF already, and has its own colours, is returned as it is.
 
     Raises:
         DisplayError: it can't be read.
@@ -106,26 +110,67 @@ def _glb(path: Path, data: bytes, color: Color | None) -> bytes:
     import trimesh
 
     ending = path.suffix.lower().removeprefix(".")
-    if ending == "glb" and color is None:
+    if ending == "glb" and color is None and texture is None:
         if not data.startswith(GLB_MAGIC) or int.from_bytes(data[8:12], "little") != len(data):
             raise DisplayError(f"{path.name} is not a whole file of binary glTF, version 2")
-        return data
+        return _Made(data)
     if ending == "dae" and find_spec("collada") is None:
         raise DisplayError(f"{path.name} is COLLADA, which needs pycollada: pip install pycollada")
     try:
         unit_m = _collada_unit_m(data) if ending == "dae" else 1.0
         # From bytes, not from the path: a file that names others, as its textures, doesn't get them.
-        mesh: Any = trimesh.load(io.BytesIO(data), file_type=ending, force="mesh")
+        file, has_texture = io.BytesIO(data), False
+        if texture is None:
+            mesh: Any = trimesh.load(file, file_type=ending, force="mesh")
+        else:
+            mesh, has_texture = _textured(trimesh.load(file, file_type=ending, force="scene"), texture)
+            color = texture.mean
         _check(mesh)
         mesh.apply_scale(unit_m)
-        if color is not None:
+        if color is not None and not has_texture:
             # Of vertices, because trimesh needs scipy to write those of faces.
             colors = np.tile(np.array([*color, 255], np.uint8), (len(mesh.vertices), 1))
             mesh.visual = trimesh.visual.ColorVisuals(mesh, vertex_colors=colors)
         content = mesh.export(file_type="glb")
     except Exception as error:  # each format's reader has its own errors
         raise DisplayError(f"{path.name} is not a mesh that can be read: {error}") from None
-    return bytes(content)
+    return _Made(bytes(content), has_texture)
+
+
+def _textured(scene: Any, texture: Texture) -> tuple[Any, bool]:
+    """Return all of a scene as one mesh, and whether it has a texture: where nothing has coordinates, it has none.
+
+    The parts are joined without their own materials, because trimesh would join these, too, as one picture with other
+    coordinates.
+    """
+    import trimesh
+
+    parts = [part for part in scene.dump() if hasattr(part, "faces")]
+    coordinates = [_texture_coordinates(part) for part in parts]
+    for part in parts:
+        part.visual = trimesh.visual.ColorVisuals(part)
+    mesh: Any = trimesh.util.concatenate(parts)
+    if all(table is None for table in coordinates):
+        return mesh, False
+    uv = [
+        np.zeros((len(part.vertices), 2)) if table is None else table
+        for part, table in zip(parts, coordinates, strict=True)
+    ]
+    visual: Any = trimesh.visual
+    material = visual.material.PBRMaterial(
+        baseColorTexture=texture.picture, metallicFactor=0.0, roughnessFactor=1.0
+    )
+    mesh.visual = visual.TextureVisuals(uv=np.concatenate(uv), material=material)
+    return mesh, True
+
+
+def _texture_coordinates(part: Any) -> NDArray[np.float64] | None:
+    """Return the texture coordinates of a mesh's vertices (N, 2); None if it has none that a page can use."""
+    table = getattr(part.visual, "uv", None)
+    if table is None or np.shape(table)[:1] != (len(part.vertices),) or np.ndim(table) != 2:
+        return None
+    uv = np.asarray(table, np.float64)[:, :2]
+    return uv if uv.shape[1] == 2 and (np.abs(uv) < MAX_SCALE).all() else None
 
 
 def translucent(glb: bytes, opacity: float) -> bytes:

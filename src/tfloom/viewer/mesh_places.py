@@ -1,4 +1,4 @@
-"""Where the files of meshes are: in packages, and beside the description that names them."""
+"""Where the files of meshes and textures are: in packages, and beside the description that names them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from tfloom.viewer.shapes import DisplayError
 from tfloom.workspace.ament import PackageNotFoundError, get_package_share_path
 from tfloom.workspace.packages_around import folders_above, packages_around, packages_of_clones
 
-__all__ = ["find_mesh"]
+__all__ = ["find_mesh", "find_texture"]
 
 ENDINGS = (".stl", ".obj", ".ply", ".glb", ".dae")
 """Of the files that are read. A description comes from the wire, and no other file is its business."""
+TEXTURE_ENDINGS = (".png", ".jpg", ".jpeg", ".webp")
 
 
 def find_mesh(uri: str, near: Path | None) -> Path:
@@ -26,12 +27,25 @@ def find_mesh(uri: str, near: Path | None) -> Path:
     Raises:
         DisplayError: it is not the name of a mesh, or there is no such package.
     """
+    return _found(uri, near, "mesh", ENDINGS)
+
+
+def find_texture(uri: str, near: Path | None) -> Path:
+    """Return the path of a texture's file, which may be absent; as `find_mesh`.
+
+    Raises:
+        DisplayError: it is not the name of a picture that can be read, or there is no such package.
+    """
+    return _found(uri, near, "texture", TEXTURE_ENDINGS)
+
+
+def _found(uri: str, near: Path | None, what: str, endings: tuple[str, ...]) -> Path:
     try:
         parsed = urlparse(uri)
     except ValueError as error:
         raise DisplayError(f"{uri} is not a URI: {error}") from None
-    if not parsed.path.lower().endswith(ENDINGS):
-        raise DisplayError(f"{uri} is not a file of a mesh: its name ends in none of {', '.join(ENDINGS)}")
+    if not parsed.path.lower().endswith(endings):
+        raise DisplayError(f"{uri} is not a file of a {what}: its name ends in none of {', '.join(endings)}")
     if parsed.scheme == "file":
         path = Path(unquote(parsed.path))
         return path if near is None or path.exists() else _moved(path, near)

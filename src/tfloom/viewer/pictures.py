@@ -1,4 +1,4 @@
-"""Images of cameras, as files that browsers show."""
+"""Images of cameras, as files that browsers show, and pictures of such files."""
 
 from __future__ import annotations
 
@@ -11,14 +11,16 @@ from tfloom.viewer.shapes import DisplayError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+    from PIL.Image import Image as Picture
 
-__all__ = ["picture_of", "pixel_table", "small_pixels"]
+__all__ = ["opened_picture", "picture_of", "pixel_table", "small_pixels"]
 
 MAX_BYTES = 64 * 1024 * 1024
 MAX_SIDE_PX = 1280
 """Longer sides are reduced, because the page shows a picture smaller."""
 MAX_PIXELS = 32_000_000
 """Size of a compressed image that is opened: a short file may claim any."""
+OPENED_FORMATS = ("JPEG", "PNG", "WEBP")
 JPEG_QUALITY = 80
 BROWSER_FORMATS = {b"\xff\xd8\xff": "image/jpeg", b"\x89PNG\r\n\x1a\n": "image/png", b"RIFF": "image/webp"}
 """Types of files that browsers show, by their first bytes."""
@@ -66,7 +68,10 @@ def small_pixels(message: Any, max_side_px: int) -> NDArray[np.uint8]:
     Raises:
         DisplayError: its encoding is unknown, its sizes are wrong, or its file is damaged.
     """
-    pixels = _opened(message, max_side_px) if hasattr(message, "format") else _pixels(message)
+    if hasattr(message, "format"):
+        pixels = np.asarray(_decoded(_compressed(message)[1], max_side_px))
+    else:
+        pixels = _pixels(message)
     reduction = -(-max(pixels.shape[:2]) // max_side_px)
     pixels = pixels[::reduction, ::reduction]
     return np.ascontiguousarray(
@@ -74,17 +79,42 @@ def small_pixels(message: Any, max_side_px: int) -> NDArray[np.uint8]:
     )
 
 
-def _opened(message: Any, max_side_px: int) -> NDArray[np.uint8]:
-    from PIL import Image
+def opened_picture(data: bytes, max_side_px: int) -> Picture:
+    """Return a JPEG, PNG or WebP as a picture of Pillow, of red, green and blue alone; a larger one is reduced.
+
+    Args:
+        data: The file.
+        max_side_px: The longest side [pixels].
+
+    Raises:
+        DisplayError: it is none of these, it has too many pixels, or it is damaged.
+    """
+    if not data.startswith(tuple(BROWSER_FORMATS)):
+        raise DisplayError("its file is neither JPEG, PNG nor WebP")
+    picture = _decoded(data, max_side_px)
+    picture.thumbnail((max_side_px, max_side_px))
+    return picture
+
+
+def _decoded(data: bytes, max_side_px: int) -> Picture:
+    """Return a file as a picture of red, green and blue, at least as large as a size if the file is."""
+    from PIL import Image, UnidentifiedImageError
 
     try:
-        with Image.open(io.BytesIO(_compressed(message)[1]), formats=("JPEG", "PNG", "WEBP")) as image:
-            if image.width * image.height > MAX_PIXELS:
-                raise DisplayError(f"it has {image.width} by {image.height} pixels, too many to be opened")
-            image.draft("RGB", (max_side_px, max_side_px))  # a JPEG is decoded at a fraction of its size
-            return np.asarray(image.convert("RGB"))
-    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+        with Image.open(io.BytesIO(data), formats=OPENED_FORMATS) as image:
+            width, height = image.size
+            if width * height <= MAX_PIXELS:
+                image.draft("RGB", (max_side_px, max_side_px))  # a JPEG is decoded at a fraction of its size
+                picture: Picture = image.convert("RGB")
+                picture.format, picture.info = image.format, {}
+                return picture
+    except Image.DecompressionBombError:  # of so many that it isn't even looked at
+        raise DisplayError("it has too many pixels to be opened") from None
+    except UnidentifiedImageError:  # its text has an address
+        raise DisplayError("its file is damaged: it does not begin as a picture does") from None
+    except Exception as error:  # each format's reader has its own errors
         raise DisplayError(f"its file is damaged: {error}") from None
+    raise DisplayError(f"it has {width} by {height} pixels, too many to be opened")
 
 
 def _compressed(message: Any) -> tuple[str, bytes]:

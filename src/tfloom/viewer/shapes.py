@@ -175,6 +175,8 @@ class Model:
 
     glb: bytes
     scale: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    has_texture: bool = False
+    """Whether it has the texture that was asked for."""
 
 
 Shape = Points | Lines | Arrows | Axes | Mesh | Box | Ball | Cylinder | Copies | Text | Picture | Model
