@@ -643,6 +643,35 @@ def effort_lengths(stage: Stage) -> list[float]:
     return [round(float(node.vertices[:, 1].max()), 3) for node in nodes]
 
 
+def test_robot_stays_as_it_is_when_its_description_comes_again(stage: Stage) -> None:
+    """Each page would get all its meshes again."""
+    box = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
+    text = f'<robot name="r"><link name="base">{box}</link></robot>'
+    stage.move("base", "tool", 1.0, 2.0, 3.0)
+    stage.topics.add("/robot_description", String(data=text))
+    stage.view.set_display("/robot_description", on=True)
+    stage.draw()
+    (before,) = stage.view.drawn["/robot_description"]
+    for second in (2, 3):
+        stage.topics.add("/robot_description", String(data=text), second * S)
+        stage.draw()
+        (after,) = stage.view.drawn["/robot_description"]
+        assert after[0] is before[0]
+    stage.view.command({"op": "set", "topic": "/robot_description", "setting": "opacity", "value": 0.5})
+    stage.draw()
+    (after,) = stage.view.drawn["/robot_description"]
+    assert getattr(after[0], "opacity", None) == 0.5
+    for second in (4, 5):  # one that is none says so each time
+        stage.topics.add("/robot_description", String(data="<robot"), second * S)
+        stage.draw()
+        assert stage.view.drawn["/robot_description"] == []
+        assert "it is not a URDF" in stage.status("/robot_description")
+    stage.topics.add("/robot_description", String(data=text), 6 * S)
+    stage.draw()
+    assert len(stage.view.drawn["/robot_description"]) == 1
+    assert stage.status("/robot_description") == ""
+
+
 def test_efforts_are_those_of_the_robot_that_is_described_now(stage: Stage) -> None:
     stage.move("map", "b", 1.0, 2.0)
     stage.topics.add("/joint_states", efforts(rail=2.0))

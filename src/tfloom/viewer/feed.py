@@ -184,6 +184,8 @@ class Feed:
         return int(self._values.get("depth", 0))
 
     def _begin_anew(self) -> None:
+        if isinstance(self.display, RobotDisplay):
+            self.display.clear()
         self._last, self._run = None, []
         self.has_failed = False
 
@@ -316,7 +318,9 @@ class Feed:
             return
         self._last, self._fault = entry, ""
         if entry is None or not self._shows_several:
-            display.clear()
+            # Pages have the meshes of a robot, whose description may come again as it was.
+            if entry is None or not isinstance(display, RobotDisplay):
+                display.clear()
             if entry is not None:
                 self._fault = _given(display, entry, self.kind.label)
             return
