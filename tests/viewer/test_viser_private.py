@@ -14,7 +14,7 @@ from viser import _messages
 from viser.infra import WebsockServer
 
 from tfloom.viewer import viser_private
-from tfloom.viewer.viser_private import is_readable, missing_names
+from tfloom.viewer.viser_private import missing_names, said_by_scene
 
 
 class Other:
@@ -91,12 +91,38 @@ GIZMO = {
 def test_message_is_passed_on_if_a_scene_may_send_it_and_viser_can_read_it(
     message: Any, expected: bool
 ) -> None:
-    assert is_readable(msgspec.msgpack.encode(message)) is expected
+    data = msgspec.msgpack.encode(message)
+    assert said_by_scene(data) == (data if expected else None)
 
 
 def test_bytes_that_are_no_message_are_not_passed_on() -> None:
-    assert not is_readable(b"")
-    assert not is_readable(b"\x91" * 100_000)
+    assert said_by_scene(b"") is None
+    assert said_by_scene(b"\x91" * 100_000) is None
+
+
+@pytest.mark.parametrize(
+    ("count", "expected"), [(0, 0), (7, 7), (-3, -3), (True, None), (1.5, None), ("1", None)]
+)
+def test_number_of_messages_that_are_drawn_is_a_whole_one_and_nothing_for_viser(
+    count: Any, expected: int | None
+) -> None:
+    said = said_by_scene(msgspec.msgpack.encode({"type": viser_private.DRAWN_MESSAGE, "count": count}))
+    assert said == expected
+    assert type(said) is type(expected)
+    assert said_by_scene(msgspec.msgpack.encode({"type": viser_private.DRAWN_MESSAGE})) is None
+
+
+def test_message_is_decoded_once_beside_viser(monkeypatch: pytest.MonkeyPatch) -> None:
+    decoded: list[bytes] = []
+    decode = msgspec.msgpack.decode
+
+    def counted(data: bytes) -> Any:
+        decoded.append(data)
+        return decode(data)
+
+    monkeypatch.setattr(viser_private, "msgspec", SimpleNamespace(msgpack=SimpleNamespace(decode=counted)))
+    assert said_by_scene(msgspec.msgpack.encode(CAMERA)) is not None
+    assert len(decoded) == 1
 
 
 def test_points_have_pixels_only_where_the_client_can_be_changed(tmp_path: Path) -> None:

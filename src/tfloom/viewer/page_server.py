@@ -27,7 +27,7 @@ from websockets.http11 import Request, Response
 from tfloom.common.access import Access
 from tfloom.viewer.page_command import PageError
 from tfloom.viewer.scene_server import KEY_HEADER, PAGE_HEADER
-from tfloom.viewer.viser_private import drawn_batches, is_readable
+from tfloom.viewer.viser_private import said_by_scene
 
 if TYPE_CHECKING:
     from tfloom.viewer.layout.layout import ViewPoint
@@ -416,10 +416,11 @@ class PageServer:
                 async for message in connection:
                     if not isinstance(message, bytes):
                         continue
-                    if (drawn := drawn_batches(message)) is not None:
-                        pace.note_drawn(drawn)
-                    elif is_readable(message):
-                        await upstream.send(message)
+                    said = said_by_scene(message)
+                    if isinstance(said, int):
+                        pace.note_drawn(said)
+                    elif said is not None:
+                        await upstream.send(said)
 
             async def down() -> None:
                 with contextlib.suppress(ConnectionClosed):

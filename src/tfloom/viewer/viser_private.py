@@ -22,10 +22,9 @@ if TYPE_CHECKING:
 __all__ = [
     "HAS_PIXEL_POINTS",
     "connections_of",
-    "drawn_batches",
-    "is_readable",
     "open_connections",
     "pixel_size",
+    "said_by_scene",
 ]
 
 SCENE_MESSAGES = (
@@ -108,29 +107,29 @@ def open_connections(connections: WebsockServer) -> Mapping[int, Any]:
     return live
 
 
-def drawn_batches(data: bytes) -> int | None:
-    """Return how many of the messages to it a page's scene says are drawn; None where it says something else."""
+def said_by_scene(data: bytes) -> int | bytes | None:
+    """Return what a page's scene says by a message, which may be any bytes.
+
+    Returns:
+        How many of the messages to it are drawn; the message itself if it is for viser, viser can read it, and its
+        camera can be used; None for anything else.
+    """
     try:
         said = msgspec.msgpack.decode(data)
-        count = said["count"] if said["type"] == DRAWN_MESSAGE else None
-    except Exception:  # whatever a page sends
-        return None
-    return count if type(count) is int else None
-
-
-def is_readable(data: bytes) -> bool:
-    """Return whether a page's scene may send a message, viser can read it, and its camera can be used."""
-    try:
-        kind = msgspec.msgpack.decode(data)["type"]
-        if kind not in SCENE_MESSAGES:
-            return False
-        message = _messages.Message.deserialize(data)
-        if isinstance(message, _messages.ViewerCameraMessage):
-            aspect = message.image_width / message.image_height
-            return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
-        if isinstance(message, _messages.TransformControlsUpdateMessage):
-            numbers = (*message.position, *message.wxyz)
-            return len(numbers) == 7 and all(abs(part) < MAX_COORDINATE_M for part in numbers)
+        if said["type"] == DRAWN_MESSAGE:
+            return said["count"] if type(said["count"]) is int else None
+        if said["type"] in SCENE_MESSAGES and _is_usable(_messages.Message.deserialize(data)):
+            return data
     except Exception:  # viser has no error for what can't be read
-        return False
+        return None
+    return None
+
+
+def _is_usable(message: Any) -> bool:
+    if isinstance(message, _messages.ViewerCameraMessage):
+        aspect = message.image_width / message.image_height
+        return is_usable(message.position, message.look_at, message.wxyz, message.fov, aspect)
+    if isinstance(message, _messages.TransformControlsUpdateMessage):
+        numbers = (*message.position, *message.wxyz)
+        return len(numbers) == 7 and all(abs(part) < MAX_COORDINATE_M for part in numbers)
     return True
