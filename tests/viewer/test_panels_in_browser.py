@@ -222,6 +222,27 @@ def test_narrow_screens_have_the_scene_and_a_drawer(tab: Tab, width: int, height
     tab.keep(f"narrow_{width}")
 
 
+def test_log_has_each_line_once_when_the_connection_is_opened_again(
+    browser: Any, address: str, observer: SpunNode
+) -> None:
+    tab = Tab(browser, address)
+    tab.click("[data-panel=log]")
+    said = [f"line {number} of the log" for number in range(3)]
+    for text in said[:2]:
+        observer.node.get_logger().info(text)
+    wait_until(lambda: all(text in tab.text("#log-lines") for text in said[:2]), what="the lines")
+    for _ in range(2):
+        tab.page.evaluate("socket.close()")
+        tab.page.wait_for_selector("body:not([data-ready=yes])", timeout=120_000.0)
+        tab.page.wait_for_selector("body[data-ready=yes]", timeout=120_000.0)
+    observer.node.get_logger().info(said[2])
+    wait_until(lambda: said[2] in tab.text("#log-lines"), what="the next line")
+    assert [tab.text("#log-lines").count(text) for text in said] == [1, 1, 1]
+    assert tab.page.evaluate("lines.length === new Set(lines.map(line => JSON.stringify(line))).size")
+    tab.page.close()
+    assert tab.faults == []
+
+
 def test_address_names_the_panel_that_is_open(browser: Any, address: str, observer: SpunNode) -> None:
     observer.node.create_publisher(Pose, "/turtle1/pose", 1)
     opened = Tab(browser, address, "&panel=graph")

@@ -130,6 +130,11 @@ def test_cloud_in_a_frame_that_nobody_publishes_says_so_in_its_row_until_it_is(
     wait_until(lambda: (np.abs(tab.pixels() - before).max(axis=2) > 60).sum() > 500, what="the cloud")
     tab.keep("cloud_in_a_frame")
     node.node.destroy_publisher(lost)
+    tab.click('[data-topic="/lost"] input')
+    wait_until(lambda: not tab.page.locator('[data-topic="/lost"]').count(), what="the end of the row")
+    assert not tab.page.evaluate("displays.has('/lost')"), (
+        "the page keeps what it has of each topic that ever was"
+    )
 
 
 def test_cloud_is_coloured_by_an_axis_by_one_colour_and_made_transparent(tab: Tab) -> None:
@@ -178,6 +183,41 @@ def test_namespace_is_hidden_and_shown_again_by_a_click(tab: Tab) -> None:
     ) == ["left"]
     tab.click('[data-topic="/cubes"] [data-part="left"] input')
     wait_until(lambda: greens() > 0.9 * both, what="both cubes again")
+
+
+def test_depth_of_a_queue_is_what_the_page_sets_and_as_usual_when_it_is_empty(
+    tab: Tab, tmp_path: Path
+) -> None:
+    show(tab, "/wall")
+
+    def depth() -> Any:
+        """Return what the server has, which it tells the page."""
+        return tab.page.evaluate("state.displays.find(row => row.topic === '/wall').values.depth")
+
+    def shown() -> Any:
+        return tab.page.evaluate(
+            """document.querySelector('[data-topic="/wall"] [data-setting="depth"] input').value"""
+        )
+
+    def saved() -> Any:
+        with tab.page.expect_download() as download:
+            tab.click("#save-layout")
+        path = tmp_path / "saved.yaml"
+        download.value.save_as(path)
+        (display,) = read_layout(path)[0].displays
+        return dict(display.settings).get("depth")
+
+    assert (depth(), shown()) == (0, "0")
+    set_to(tab, "/wall", "depth", 37)
+    wait_until(lambda: (depth(), shown()) == (37, "37"), what="the depth at the server")
+    assert saved() == 37
+    for wrong in (-1, 10_001, 2.5):
+        set_to(tab, "/wall", "depth", wrong)
+        wait_until(lambda: shown() == "37", what=f"the depth in place of {wrong}")
+        assert depth() == 37
+    set_to(tab, "/wall", "depth", "")
+    wait_until(lambda: (depth(), shown()) == (0, "0"), what="the usual depth")
+    assert saved() is None
 
 
 def test_topic_is_shown_twice_and_saved_as_a_file_of_rviz(tab: Tab, tmp_path: Path) -> None:

@@ -192,6 +192,8 @@ function showDisplays() {
     if (row.choices.length) setOptions(parts.choice, ["", ...row.choices], row.choice);
     lines.push(parts.line);
   }
+  const names = new Set(state.displays.map((row) => row.topic));
+  for (const name of [...displays.keys()]) if (!names.has(name)) displays.delete(name);
   const body = $("display-rows");
   if (lines.length !== body.children.length || lines.some((line, index) => body.children[index] !== line)) {
     body.replaceChildren(...lines);
@@ -337,6 +339,9 @@ function addLines(added) {
   while (box.children.length > MAX_LINES) box.firstChild.remove();
   if (followsLog) scrollLog();
 }
+
+// A new connection gets the last lines from the beginning, which the page may have had from the one before.
+onPage.push(() => { lines = []; $("log-lines").replaceChildren(); });
 
 let followsLog = true;        // until its user scrolls up, and again from the end
 
