@@ -11,6 +11,7 @@ import socket
 import sys
 import threading
 from collections.abc import Callable
+from contextlib import ExitStack, closing, suppress
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -30,10 +31,11 @@ from tests.viewer.conftest import running_node
 
 from tfloom.foxglove import channels, commands
 from tfloom.foxglove.assets import AssetError, read_asset
-from tfloom.foxglove.bridge import BridgeError
+from tfloom.foxglove.bridge import MAX_ASKING, BridgeError
 from tfloom.foxglove.calls import Call, Calls
 from tfloom.foxglove.commands import Commands
 from tfloom.foxglove.settings import Settings, SettingsError
+from tfloom.foxglove.shares import Shares
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.interfaces.visualization_msgs.msg import MarkerArray
@@ -186,6 +188,26 @@ def test_client_publishes(domain_id: int, node: Node) -> None:
         wait_until(lambda: subscription.get_publisher_count() == 0)
 
 
+def test_topic_that_was_refused_is_not_waited_for_and_its_channel_is_free(domain_id: int, node: Node) -> None:
+    heard: list[str] = []
+    node.create_subscription(String, "/said", lambda message: heard.append(message.data), 10)
+    with connected(domain_id) as client:
+        topics = client.bridge.client_topics
+        client.advertise(3, "/said", "nowhere/msg/Type")
+        client.wait_for(lambda: "/said can't be advertised" in client.statuses())
+        assert topics._noted == topics._shares._taken == {}
+        client.publish(3, b"x")
+        client.send(op="unadvertise", channelIds=[3])
+        client.advertise(3, "/said", "std_msgs/msg/String")
+        wait_until(lambda: node.count_publishers("/said") == 1)
+        data = cdr.encode(String(data="a text"))
+        wait_until(lambda: client.publish(3, data) or heard)
+        client.send(op="unadvertise", channelIds=[3])
+        wait_until(lambda: node.count_publishers("/said") == 0)
+        assert topics._noted == topics._shares._taken == topics._publishers == {}
+    assert set(heard) == {"a text"}
+
+
 def test_patterns_are_of_the_names_that_other_nodes_see(domain_id: int, node: Node) -> None:
     parameter = "client_topic_whitelist:=['(?!/cmd_vel|/foxglove_bridge/).*']"
     with connected(domain_id, parameter) as client:
@@ -315,6 +337,83 @@ def test_silent_node_delays_the_others_only_once(domain_id: int, node: Node) -> 
         assert client.bridge.parameters_of_nodes._silent == {"/silent"}
 
 
+def test_request_for_parameters_is_turned_down_while_too_many_others_wait(
+    domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tfloom.foxglove.bridge.SLOT_S", 0.01)
+    node.declare_parameter("count", 3)
+    with connected(domain_id) as client:
+        slots = client.bridge.parameter_slots
+        for _ in range(MAX_ASKING):
+            assert slots.acquire(timeout=1.0)
+        client.send(op="getParameters", parameterNames=["/other.count"], id="busy")
+        assert client.text("parameterValues", id="busy")["parameters"] == []
+        client.wait_for(lambda: "asks for parameters while 4 other requests wait" in client.statuses())
+        wrong = [{"name": "/other.count", "value": 4}]
+        client.send(op="setParameters", parameters=wrong, id="set busy")
+        assert client.text("parameterValues", id="set busy")["parameters"] == []
+        for _ in range(MAX_ASKING):
+            slots.release()
+
+        def is_known() -> bool:
+            client.texts.clear()
+            client.send(op="getParameters", parameterNames=["/other.count"], id="free")
+            return bool(
+                client.text("parameterValues", id="free")["parameters"]
+                == [{"name": "/other.count", "value": 3}]
+            )
+
+        wait_until(is_known)
+
+
+def test_parameters_that_take_too_long_are_not_set(
+    domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    node.declare_parameter("count", 3)
+    with connected(domain_id) as client:
+        wait_until(lambda: "/other/list_parameters" in dict(client.bridge.get_service_names_and_types()))
+        monkeypatch.setattr("tfloom.foxglove.parameters.SET_S", -1.0)
+        client.send(op="setParameters", parameters=2 * [{"name": "/other.count", "value": 4}], id="set")
+        client.text("parameterValues", id="set")
+        assert "2 of 2 parameters are not set: a request may have 1000, and take -1 s" in client.statuses()
+    assert node.get_parameter("count").value == 3
+
+
+def test_messages_pass_while_requests_for_parameters_wait_for_a_silent_node(
+    domain_id: int, node: Node, start_bridge: StartBridge
+) -> None:
+    publisher = node.create_publisher(String, "/chatter", 10)
+    _, port = start_bridge()
+    with running_node(domain_id, "silent"), ExitStack() as stack:  # nobody spins it
+        clients = [Client(port) for _ in range(MAX_ASKING + 1)]
+        for client in clients:
+            stack.enter_context(closing(client.socket))
+        reader, *askers = clients
+        reader.subscribe("/chatter", 1)
+        reader.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
+        reader.wait_for(lambda: "/silent/list_parameters" in dict(node.get_service_names_and_types()))
+
+        def passes() -> bool:
+            """Return whether a message arrived before any of the answers."""
+            reader.messages.clear()
+            for client in askers:
+                client.texts.clear()
+                client.send(op="getParameters", parameterNames=["/silent.x"], id="asked")
+            publisher.publish(String(data="a message"))
+            reader.wait_for(lambda: reader.messages, "the message")
+            is_first = not any(map(has_answer, askers))
+            for client in askers:
+                client.text("parameterValues", id="asked")
+            return is_first
+
+        def has_answer(client: Client) -> bool:
+            with suppress(TimeoutError):
+                client.take(client.socket.recv(timeout=0.0))
+            return any(said["op"] == "parameterValues" for said in client.texts)
+
+        assert any(passes() for _ in range(5))
+
+
 def test_connection_graph(domain_id: int, node: Node) -> None:
     node.create_publisher(String, "/chatter", 1)
     node.create_subscription(String, "/orders", lambda _: None, 1)
@@ -405,31 +504,104 @@ def test_failed_request_is_logged_and_the_next_one_is_done(node: Node) -> None:
     def fail() -> None:
         raise LookupError("planted")
 
-    queue = Commands(node)
-    queue.put(fail)
-    queue.put(lambda: done.append(1))
+    said: list[str] = []
+    queue = Commands(node, said.append)
+    queue.put_end(fail)
+    queue.put_end(lambda: done.append(1))
     wait_until(lambda: done)
+    assert said == ["A client's request failed: LookupError: planted"]
 
 
-@pytest.mark.parametrize("size", [1, commands.MAX_BYTES // 4])
-def test_client_that_sends_too_many_messages_keeps_nobody_from_subscribing(size: int) -> None:
-    node: Any = argparse.Namespace(
-        create_guard_condition=lambda _: argparse.Namespace(trigger=lambda: None),
-        get_logger=lambda: argparse.Namespace(warning=lambda *_, **__: warnings.append(1)),
-    )
-    warnings: list[int] = []
+def queue_of_nobody(said: list[str]) -> Commands:
+    """Return a queue that `_run` alone empties."""
+    node: Any = argparse.Namespace(create_guard_condition=lambda _: argparse.Namespace(trigger=lambda: None))
+    return Commands(node, said.append)
+
+
+@pytest.mark.parametrize("size", [1, commands.MAX_BYTES // 8])
+def test_client_that_sends_too_many_messages_keeps_nobody_from_anything(
+    size: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(commands, "DROPPED_S", 0.0)
+    said: list[str] = []
     done: list[str] = []
-    queue = Commands(node)
+    queue = queue_of_nobody(said)
     for _ in range(2):  # what was done has its place back
         done.clear()
-        warnings.clear()
-        for _ in range(commands.MAX_MESSAGES + 1):
-            queue.put(lambda: done.append("message"), size)
-        queue.put(lambda: done.append("subscribe"))
+        said.clear()
+        for client in (1, 2):
+            for _ in range(commands.MAX_MESSAGES):
+                queue.put_message(client, size, lambda client=client: done.append(f"message of {client}"))
+        queue.put_message(3, size, lambda: done.append("message of 3"))
+        queue.put_latest("a", lambda: done.append("subscribe"))
         queue._run()
-        count = min(commands.MAX_MESSAGES, commands.MAX_BYTES // size)
-        assert done == [*["message"] * count, "subscribe"]
-        assert len(warnings) == commands.MAX_MESSAGES + 1 - count
+        most = min(commands.MAX_MESSAGES, commands.MAX_BYTES // size)
+        assert done.count("message of 1") == most // 2
+        assert done.count("message of 2") == most // 4
+        assert done[-2:] == ["message of 3", "subscribe"]
+        assert said == [
+            f"client {client} sends more than can be done: {commands.MAX_MESSAGES - most // share} "
+            "of its messages and requests are dropped"
+            for client, share in ((1, 2), (2, 4))
+        ]
+    queue._run()
+    assert queue._messages._number._taken == queue._messages._bytes._taken == {}
+
+
+def test_what_is_dropped_is_told_once_in_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(commands, "MAX_REQUESTS", 0)
+    said: list[str] = []
+    queue = queue_of_nobody(said)
+    for _ in range(5):
+        assert not queue.put_request(1, lambda: pytest.fail("it was dropped"))
+        queue._run()
+    assert len(said) == 1
+    queue._next_dropped_s = 0.0
+    queue._run()
+    assert "4 of its messages" in said[1]
+
+
+def test_client_that_changes_its_mind_leaves_only_what_it_asked_for_last() -> None:
+    queue = queue_of_nobody([])
+    done: list[tuple[str, int]] = []
+    for number in range(1000):
+        for key in ("a", "b"):
+            queue.put_latest(key, lambda key=key, number=number: done.append((key, number)))
+    assert queue._waiting.qsize() == 2
+    queue._run()
+    assert done == [("a", 999), ("b", 999)]
+    queue.put_latest("a", lambda: done.append(("a", 1000)))
+    queue._run()
+    assert done[2:] == [("a", 1000)]
+
+
+def test_requests_that_wait_have_a_limit_and_their_ends_have_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(commands, "MAX_REQUESTS", 10)
+    queue = queue_of_nobody([])
+    done: list[int] = []
+    taken = [queue.put_request(1, lambda number=number: done.append(number)) for number in range(8)]
+    assert taken == [True] * 5 + [False] * 3
+    assert queue.put_request(2, lambda: done.append(100))
+    for number in range(5):
+        queue.put_end(lambda number=number: done.append(-number))
+    queue._run()
+    assert done == [0, 1, 2, 3, 4, 100, 0, -1, -2, -3, -4]
+    assert queue.put_request(1, lambda: None)
+
+
+def test_no_client_has_more_of_a_limit_than_is_left_for_others() -> None:
+    shares = Shares(12)
+    assert [shares.take(1) for _ in range(7)] == [True] * 6 + [False]
+    assert [shares.take(2) for _ in range(4)] == [True] * 3 + [False]
+    assert shares.take(3)
+    assert not shares.take(3, 2)
+    shares.give_back(1, 6)
+    assert shares.take(3, 4)
+    assert shares.take(4, 0)
+    shares.give_back(2, 3)
+    shares.give_back(3, 5)
+    assert shares._taken == {}
+    assert shares.take(5, 12)
 
 
 def test_program_serves_until_it_is_stopped(domain_id: int, start_bridge: StartBridge) -> None:

@@ -407,6 +407,15 @@ def test_many_complaints_are_a_number() -> None:
     assert logged == [str(number) for number in range(MAX_IN_PERIOD)]
     now_s[0] += PERIOD_S
     complaints.say("next", None)
+    complaints.say("one too many", None)
     now_s[0] += PERIOD_S
     complaints.say("last", None)
-    assert logged[MAX_IN_PERIOD:] == ["5 more requests of clients could not be done", "next", "last"]
+    assert logged[MAX_IN_PERIOD:] == [
+        *("5 more requests of clients could not be done", "next"),
+        *("1 more requests of clients could not be done", "last"),
+    ]
+    now_s[0] += PERIOD_S
+    logged.clear()
+    for number in range(MAX_IN_PERIOD):
+        complaints.say(str(number), None)
+    assert len(logged) == MAX_IN_PERIOD

@@ -15,6 +15,7 @@ import pytest
 from tests.conftest import Program, wait_until
 from tests.foxglove.clients import Client, RawClient, spun_node, start_bridge_by
 
+from tfloom.foxglove import client_topics, parameters
 from tfloom.interfaces.std_msgs.msg import String
 from tfloom.interfaces.std_srvs.srv import SetBool
 from tfloom.node.endpoints.publisher import Publisher
@@ -228,7 +229,7 @@ def test_many_subscriptions_topics_and_calls(served: Served) -> None:
 
         for _ in range(256):
             advertise()
-        wait_for_status(client, "can't be advertised: clients have 256 topics", advertise)
+        wait_for_status(client, "can't be advertised: client", advertise)
         # Each is answered, and a client that takes no answers is disconnected: so not all at once.
         service = client.services["/switch"]["id"]
         for call in range(300):
@@ -240,6 +241,94 @@ def test_many_subscriptions_topics_and_calls(served: Served) -> None:
             client.send(op="fetchAsset", uri=uris[number % 5], requestId=number)
             client.wait_for(lambda number=number: number in client.assets, "the refused file")
         assert {status for status, _, _ in client.assets.values()} == {1}
+
+
+def test_one_client_leaves_topics_for_another(served: Served) -> None:
+    one, other = Client(served.port), Client(served.port)
+    with closing(one.socket), closing(other.socket):
+        for number in range(client_topics.MAX_TOPICS + 10):
+            one.advertise(number, f"/many/topic_{number}", "std_msgs/msg/String")
+        one.wait_for(lambda: "can't be advertised: client" in one.statuses(), "the refusal")
+        other.advertise(1, "/said", "std_msgs/msg/String")
+        wait_until(lambda: served.node.count_publishers("/said") == 1)
+
+
+def test_floods_of_requests_that_are_taken_back(served: Served) -> None:
+    client = Client(served.port)
+
+    def flood(ask: Callable[[], None]) -> None:
+        for _ in range(500):
+            ask()
+        with suppress(TimeoutError):  # one that takes nothing is disconnected
+            while True:
+                client.take(client.socket.recv(timeout=0.0))
+
+    with closing(client.socket):
+        client.wait_for(lambda: "/chatter" in client.channels)
+        subscription = {"id": 5, "channelId": client.channels["/chatter"]["id"]}
+
+        def subscribe() -> None:
+            client.send(op="subscribe", subscriptions=[subscription])
+            client.send(op="unsubscribe", subscriptionIds=[5])
+
+        def advertise() -> None:
+            client.advertise(1, "/said", "std_msgs/msg/String")
+            client.send(op="unadvertise", channelIds=[1])
+
+        for _ in range(20):
+            flood(subscribe)
+        wait_for_status(client, "sends more than can be done", lambda: flood(advertise))
+
+
+def test_long_texts_are_cut_in_what_is_said_of_them(served: Served) -> None:
+    line_count = len(served.program.lines)
+    client = Client(served.port)
+    numbers = count(1)
+    long = "x" * 1_000_000
+    with closing(client.socket):
+        for name, kind in ((f"/{long}", "std_msgs/msg/String"), ("/said", f"std_msgs/msg/{long}")):
+            client.texts.clear()
+            wait_for_status(
+                client,
+                "has more than 1000 characters",
+                lambda name=name, kind=kind: client.advertise(next(numbers), name, kind),
+            )
+        for name, text in (
+            (f"/nobody.{long}", "no node has the parameter /nobody.xxx"),
+            ("/nobody.a\nb", "/nobody.a b"),
+        ):
+            wrong = [{"name": name, "value": 1}]
+            wait_for_status(
+                client, text, lambda wrong=wrong: client.send(op="setParameters", parameters=wrong)
+            )
+        wait_for_status(
+            client,
+            "there is no package 'xxx",
+            lambda: client.send(op="fetchAsset", uri=f"package://{long}/a.stl", requestId=next(numbers)),
+        )
+        assert max(len(said["message"]) for said in client.texts if said["op"] == "status") < 1000
+    assert max(map(len, served.program.lines[line_count:])) < 1000
+
+
+def test_parameters_of_one_request_have_a_limit(served: Served) -> None:
+    client = Client(served.port)
+    wrong = [{"name": "/nobody.x", "value": 1}] * (parameters.MAX_SET + 7)
+    names = ["/other.count"] * (parameters.MAX_PARAMETERS + 1)
+    requests: list[tuple[str, dict[str, Any]]] = [
+        ("7 of 1007 parameters are not set", {"op": "setParameters", "parameters": wrong}),
+        ("asks for 10001 parameters at once", {"op": "getParameters", "parameterNames": names}),
+    ]
+    with closing(client.socket):
+        for text, request in requests:
+
+            def is_said(text: str = text, request: dict[str, Any] = request) -> bool:
+                """Return whether the bridge says so, which says only some of all that is wrong in a second."""
+                client.texts.clear()
+                client.send(**request, id="many")
+                client.text("parameterValues", id="many")
+                return text in client.statuses()
+
+            wait_until(is_said)
 
 
 def test_connections_that_say_nothing(served: Served) -> None:

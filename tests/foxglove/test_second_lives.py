@@ -192,6 +192,34 @@ def test_response_that_comes_too_late_is_nobodys(
         assert caller._pending == {}
 
 
+def test_calls_beyond_the_limit_fail_at_once_and_there_is_room_when_others_have_ended(
+    domain_id: int, node: Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(services, "MAX_CALLS", 3)  # of which one client may have two
+    go_on = threading.Event()
+    asked: list[bool] = []
+
+    def switch(request: Any, response: Any) -> Any:
+        asked.append(request.data)
+        go_on.wait(30.0)
+        response.success = True
+        return response
+
+    node.create_service(SetBool, "/switch", switch)
+    request = cdr.encode(SetBool.Request(data=True))
+    with connected(domain_id) as client, closing(connect_to(client.bridge).socket):
+        for number in range(3):
+            client.call("/switch", number, request)
+        failure = next(iter(client.text("serviceCallFailure")["message"].splitlines()))
+        assert "calls /switch while as many calls wait for a response as it may have" in failure
+        client.wait_for(lambda: "calls /switch while as many calls" in client.statuses(), "the status")
+        assert client.responses == {}
+        go_on.set()
+        client.wait_for(lambda: len(client.responses) == 2, "the responses of the others")
+        client.call("/switch", 7, request)
+        client.wait_for(lambda: 7 in client.responses, "the next response")
+
+
 def test_client_of_a_service_that_has_left_is_made_anew(domain_id: int, node: Node) -> None:
     with connected(domain_id) as client:
         calls = client.bridge.calls

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import time
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -23,7 +23,7 @@ from tfloom.foxglove.commands import Commands
 from tfloom.foxglove.complaints import Complaints
 from tfloom.foxglove.known_types import KnownTypes
 from tfloom.foxglove.own_client import OwnClient
-from tfloom.foxglove.parameters import Parameters, from_message
+from tfloom.foxglove.parameters import MAX_PARAMETERS, Parameters, from_message
 from tfloom.foxglove.relay import Relay, listen
 from tfloom.foxglove.services import Services
 from tfloom.foxglove.settings import TIME, Settings
@@ -53,6 +53,12 @@ OPEN_INSIDE = (
     "This system has no way to close the port at which foxglove-sdk listens behind this one: a page of any site that "
     "finds it in this machine's browser can drive robots"
 )
+MAX_ASKING = 4
+"""Number of requests for parameters that wait for nodes at once."""
+SLOT_S = 0.5
+"""How long a further one waits for its turn [s]."""
+MAX_ASSETS = 4
+"""Number of files that are read at once for all clients."""
 MAX_REFUSALS = 100
 """Number of reasons for which connections are refused that are logged."""
 CAPABILITIES = {
@@ -85,6 +91,8 @@ class FoxgloveBridge(Node):
         self._relay: Relay | None = None
         self._sysinfo: SystemInfoPublisher | None = None
         self._complaints = Complaints(self.get_logger())
+        self.parameter_slots = threading.BoundedSemaphore(MAX_ASKING)
+        self._asset_slots = threading.BoundedSemaphore(MAX_ASSETS)
         self._refusals: set[str] = set()
         """Why connections were refused; each reason is logged once, because pages try again and again."""
         try:
@@ -95,7 +103,7 @@ class FoxgloveBridge(Node):
 
     def _start(self) -> None:
         self.settings = settings = Settings(self)
-        self.commands = Commands(self)
+        self.commands = Commands(self, self.warn)
         sdk_context = Context()
         self._types = KnownTypes(self)
         self.channels = Channels(self, sdk_context, settings, self._types)
@@ -140,7 +148,7 @@ class FoxgloveBridge(Node):
         publishes_parameters = settings.capabilities >= {"parameters", "parametersSubscribe"}
         if publishes_parameters or "connectionGraph" in settings.capabilities:
             self._start_own_client(self.server, inner)
-        self._services = Services(self.server, self.calls, settings, self._types)
+        self._services = Services(self.server, self.calls, settings, self._types, self.warn)
         # Clients see the graph of now, whatever /clock says.
         steady = Clock(clock_type=ClockType.STEADY_TIME)
         self.create_timer(UPDATE_S, self._update, clock=steady)
@@ -282,9 +290,10 @@ class FoxgloveBridge(Node):
 
     def _read_asset(self, uri: str) -> bytes | None:
         try:
-            return read_asset(uri, self.settings)
+            with self._asset_slots:
+                return read_asset(uri, self.settings)
         except AssetError as error:
-            self.get_logger().warning(str(error))
+            self.warn(str(error))
             return None
 
 
@@ -301,31 +310,48 @@ class _Listener(ServerListener):
         self._bridge = bridge
 
     def on_subscribe(self, client: Client, channel: ChannelView) -> None:
-        self._bridge.commands.put(partial(self._bridge.channels.subscribe, client.id, channel.id))
+        self._subscribe(client.id, channel.id, self._bridge.channels.subscribe)
 
     def on_unsubscribe(self, client: Client, channel: ChannelView) -> None:
-        self._bridge.commands.put(partial(self._bridge.channels.unsubscribe, client.id, channel.id))
+        self._subscribe(client.id, channel.id, self._bridge.channels.unsubscribe)
+
+    def _subscribe(self, client: int, channel: int, command: Callable[[int, int], None]) -> None:
+        self._bridge.commands.put_latest((client, channel), partial(command, client, channel))
 
     def on_client_advertise(self, client: Client, channel: ClientChannel) -> None:
+        topics, key = self._bridge.client_topics, (client.id, channel.id)
         topic = ClientTopic(channel.topic, channel.schema_name, channel.encoding)
-        self._queue_command(partial(self._bridge.client_topics.advertise, client.id, channel.id, topic))
+        try:
+            topics.note(*key, topic)
+        except ClientTopicError as error:
+            self._bridge.warn(str(error))
+            return
+        if not self._bridge.commands.put_request(
+            client.id, self._told(partial(topics.advertise, *key, topic))
+        ):
+            topics.forget(*key)
 
     def on_client_unadvertise(self, client: Client, client_channel_id: int) -> None:
-        self._queue_command(partial(self._bridge.client_topics.unadvertise, client.id, client_channel_id))
+        topics, key = self._bridge.client_topics, (client.id, client_channel_id)
+        if topics.forget(*key):
+            self._bridge.commands.put_end(partial(topics.unadvertise, *key))
 
     def on_message_data(self, client: Client, client_channel_id: int, data: bytes) -> None:
-        self._queue_command(
-            partial(self._bridge.client_topics.publish, client.id, client_channel_id, bytes(data)), len(data)
-        )
+        topics, key = self._bridge.client_topics, (client.id, client_channel_id)
+        if topics.is_noted(*key):
+            command = self._told(partial(topics.publish, *key, bytes(data)))
+            self._bridge.commands.put_message(client.id, len(data), command)
 
-    def _queue_command(self, command: partial[None], message_size: int | None = None) -> None:
+    def _told(self, command: partial[None]) -> Callable[[], None]:
+        """Return a function that does something, and tells clients why it can't be done."""
+
         def run() -> None:
             try:
                 command()
             except ClientTopicError as error:
                 self._bridge.warn(str(error))
 
-        self._bridge.commands.put(run, message_size)
+        return run
 
     def on_get_parameters(
         self,
@@ -333,7 +359,11 @@ class _Listener(ServerListener):
         param_names: list[str],
         request_id: str | None = None,
     ) -> list[Parameter]:
-        return self._bridge.parameters_of_nodes.get(param_names)
+        if len(param_names) > MAX_PARAMETERS:
+            self._bridge.warn(
+                f"client {client.id} asks for {len(param_names)} parameters at once, and gets {MAX_PARAMETERS} at most"
+            )
+        return self._asked(client, partial(self._bridge.parameters_of_nodes.get, param_names))
 
     def on_set_parameters(
         self,
@@ -344,6 +374,26 @@ class _Listener(ServerListener):
         own = self._bridge.own_client
         if own is not None and (changed := own.changed_parameters(request_id)) is not None:
             return changed
-        for error in self._bridge.parameters_of_nodes.set(parameters):
-            self._bridge.warn(error)
-        return self._bridge.parameters_of_nodes.get([parameter.name for parameter in parameters])
+
+        def set_all() -> list[Parameter]:
+            for error in self._bridge.parameters_of_nodes.set(parameters):
+                self._bridge.warn(error)
+            return self._bridge.parameters_of_nodes.get([parameter.name for parameter in parameters])
+
+        return self._asked(client, set_all)
+
+    def _asked(self, client: Client, ask: Callable[[], list[Parameter]]) -> list[Parameter]:
+        """Return the parameters of a client's request; none, with a warning, while too many others wait for nodes.
+
+        The SDK has a few threads for all clients, one of which waits here.
+        """
+        slots = self._bridge.parameter_slots
+        if not slots.acquire(timeout=SLOT_S):
+            self._bridge.warn(
+                f"client {client.id} asks for parameters while {MAX_ASKING} other requests wait for nodes: ask again"
+            )
+            return []
+        try:
+            return ask()
+        finally:
+            slots.release()

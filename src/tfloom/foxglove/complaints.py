@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 from foxglove import StatusLevel
 
+from tfloom.common.terminal import shown
+
 if TYPE_CHECKING:
     from foxglove.websocket import WebSocketServer
 
@@ -18,7 +20,10 @@ __all__ = ["Complaints"]
 
 PERIOD_S = 1.0
 MAX_IN_PERIOD = 20
-"""Number of warnings in a period; further ones are only counted, and the next period begins with their number."""
+"""Number of warnings in a period; further ones are only counted, and the next period begins with their number, and has
+one warning more."""
+MAX_TEXT = 500
+"""Number of characters of a warning, in which a client's own words may be of any length."""
 
 
 class Complaints:
@@ -39,13 +44,15 @@ class Complaints:
         """Guards the members below."""
         self._begin_s = clock()
         self._said = 0
+        self._most = MAX_IN_PERIOD
+        """Number of warnings in the present period."""
         self._left_out = 0
 
     def say(self, text: str, server: WebSocketServer | None) -> None:
         """Log a warning, and send it to the server's clients; above `MAX_IN_PERIOD`, only count it."""
         with self._lock:
             texts = self._texts(text)
-        for sentence in texts:
+        for sentence in (shown(one[:MAX_TEXT].replace("\n", " ")) for one in texts):
             self._logger.warning(sentence)
             if server is not None:
                 server.publish_status(sentence, StatusLevel.Warning)
@@ -54,10 +61,12 @@ class Complaints:
         now_s = self._clock()
         texts: list[str] = []
         if now_s - self._begin_s >= PERIOD_S:
+            # As long as there are too many, so that one that reads slowly isn't closed after a few periods.
+            self._most = 1 if self._left_out else MAX_IN_PERIOD
             if self._left_out:
                 texts.append(f"{self._left_out} more requests of clients could not be done")
             self._begin_s, self._said, self._left_out = now_s, 0, 0
-        if self._said < MAX_IN_PERIOD:
+        if self._said < self._most:
             self._said += 1
             return [*texts, text]
         self._left_out += 1

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import time
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from foxglove import Parameter, ParameterType, ParameterValue
@@ -16,12 +17,16 @@ if TYPE_CHECKING:
     from tfloom.foxglove.settings import Settings
     from tfloom.node.node import Node
 
-__all__ = ["ParameterError", "Parameters", "from_message"]
+__all__ = ["MAX_PARAMETERS", "ParameterError", "Parameters", "from_message"]
 
 TIMEOUT_S = 2.0
 """The longest wait for all nodes' responses to one of the steps [s]."""
 MAX_PARAMETERS = 10_000
 """Number of parameters that a client gets."""
+MAX_SET = 1000
+"""Number of parameters that a client sets by one request."""
+SET_S = 10.0
+"""How long that may take [s]: each is set by itself, and a node may not respond."""
 LIST = "/list_parameters"
 
 
@@ -61,9 +66,21 @@ class Parameters:
             if value.type != msg.ParameterType.PARAMETER_NOT_SET
         ]
 
-    def set(self, parameters: Iterable[Parameter]) -> list[str]:
-        """Set parameters; return a sentence for each that was not set."""
-        return [error for parameter in parameters if (error := self._try_to_set(parameter))]
+    def set(self, parameters: Sequence[Parameter]) -> list[str]:
+        """Set parameters; return a sentence for each that was not set, before them one for all beyond the limits."""
+        end_s = time.monotonic() + SET_S
+        errors: list[str] = []
+        for number, parameter in enumerate(parameters):
+            if number >= MAX_SET or time.monotonic() > end_s:
+                left = len(parameters) - number
+                text = (
+                    f"{left} of {len(parameters)} parameters are not set: a request may have {MAX_SET}, "
+                    f"and take {SET_S:g} s"
+                )
+                return [text, *errors]
+            if error := self._try_to_set(parameter):
+                errors.append(error)
+        return errors
 
     def _try_to_set(self, parameter: Parameter) -> str:
         try:

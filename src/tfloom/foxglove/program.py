@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from importlib.util import find_spec
 
@@ -13,6 +14,8 @@ from tfloom.node.program import expect_no_arguments, run_program
 __all__ = ["main"]
 
 NEEDED = {"foxglove": "foxglove-sdk", "websockets": "websockets"}
+SDK_THREADS = 8
+"""Number of the SDK's threads, at least: requests for parameters wait on some of them, and clients share the others."""
 OPEN_TO_ALL = "Anyone who reaches this address can see what is published here, and can drive robots."
 
 
@@ -33,6 +36,8 @@ def _serve() -> int:
     from tfloom.foxglove.settings import SettingsError
 
     sys.setswitchinterval(SWITCH_INTERVAL_S)
+    # Read by the SDK's runtime when its first server starts.
+    os.environ.setdefault("TOKIO_WORKER_THREADS", str(max(SDK_THREADS, os.cpu_count() or 1)))
     try:
         bridge = FoxgloveBridge()
     except (BridgeError, SettingsError) as error:

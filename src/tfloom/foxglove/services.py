@@ -9,6 +9,7 @@ from foxglove import MessageSchema, Service, ServiceRequest, ServiceSchema
 
 from tfloom.foxglove.calls import Call
 from tfloom.foxglove.channels import schema_of
+from tfloom.foxglove.shares import Load
 from tfloom.rosidl import cdr
 
 if TYPE_CHECKING:
@@ -22,18 +23,43 @@ __all__ = ["Services"]
 
 TIMEOUT_S = 5.0
 """The longest wait for a response [s]."""
+MAX_CALLS = 256
+"""Number of calls of all clients that wait for a response; further ones fail at once."""
+MAX_CALL_BYTES = 100_000_000
+"""Sum of the sizes of their requests."""
+
+
+class TooManyCallsError(Exception):
+    """A client has as many calls under way as it may have."""
 
 
 class Services:
-    """Keeps the server's services as those of the graph. Used on the node's thread, but for the calls."""
+    """Keeps the server's services as those of the graph. Used on the node's thread, but for the calls.
 
-    def __init__(self, server: WebSocketServer, calls: Calls, settings: Settings, types: KnownTypes) -> None:
+    Args:
+        server: The server.
+        calls: Calls them.
+        settings: Which of them clients see.
+        types: Finds their types.
+        warn: Tells clients and the log a sentence, on any thread.
+    """
+
+    def __init__(
+        self,
+        server: WebSocketServer,
+        calls: Calls,
+        settings: Settings,
+        types: KnownTypes,
+        warn: Callable[[str], None],
+    ) -> None:
         self._server = server
         self._calls = calls
         self._settings = settings
         self._offered: dict[str, str] = {}
         """The type of each service that clients see, by its name."""
         self._types = types
+        self._warn = warn
+        self._under_way = Load(MAX_CALLS, MAX_CALL_BYTES)
 
     def update(self, served: Mapping[str, str]) -> None:
         """Offer new services, and take back those that are gone.
@@ -73,8 +99,16 @@ class Services:
         def handle(request: ServiceRequest) -> bytes:
             if request.encoding != "cdr":
                 raise ValueError(f"requests to {name} have to be cdr, not {request.encoding}")
-            decoded = cdr.decode(service_class.Request, bytes(request.payload))
-            return cdr.encode(self._calls.call(Call(service_class, name, decoded), TIMEOUT_S))
+            client, size = request.client_id, len(request.payload)
+            if not self._under_way.take(client, size):
+                text = f"client {client} calls {name} while as many calls wait for a response as it may have"
+                self._warn(text)
+                raise TooManyCallsError(text)
+            try:
+                decoded = cdr.decode(service_class.Request, bytes(request.payload))
+                return cdr.encode(self._calls.call(Call(service_class, name, decoded), TIMEOUT_S))
+            finally:
+                self._under_way.give_back(client, size)
 
         return handle
 
