@@ -361,6 +361,22 @@ def test_drag_is_told_from_the_press_to_the_release(things: Things, hand: Hand) 
     wait_until(lambda: made.pose.position.x == 3.0, what="the server's marker")
 
 
+@pytest.mark.parametrize("is_shape", [False, True])
+def test_end_of_a_drag_counts_where_too_many_events_wait(
+    things: Things, hand: Hand, monkeypatch: pytest.MonkeyPatch, is_shape: bool
+) -> None:
+    things.insert(handled())
+    shown_shapes(hand)
+    node = hand.gizmo()
+    origin = (0.0, 0.0, 0.0)
+    hand.pull("start", origin) if is_shape else hand.grab(node)
+    wait_until(lambda: things.types() == [Feedback.MOUSE_DOWN], what="the press")
+    monkeypatch.setattr(markers_feed, "MAX_EVENTS", 0)
+    hand.pull("update", (1.0, 0.0, 0.0)) if is_shape else hand.move(node, 1.0)
+    hand.pull("end", origin) if is_shape else hand.let_go(node)
+    wait_until(lambda: things.types()[-1] == Feedback.MOUSE_UP, what="the release")
+
+
 def test_marker_that_is_held_still_is_said_to_be_held(things: Things, hand: Hand) -> None:
     things.insert(thing())
     hand.show()

@@ -56,7 +56,9 @@ RESPONSE_S = 5.0
 LOOK_S = 0.5
 """Period at which is looked whether it is still the same server [s]."""
 MAX_EVENTS = 1000
-"""Number of events of pages that wait; of more, the oldest are dropped, but for the ends of drags, which time ends."""
+"""Number of events of pages that wait; further ones are dropped."""
+MAX_ENDS = 1000
+"""How many ends of drags may wait beyond these: without its end a marker would be held as long as its page is there."""
 MAX_ENTRIES = 500
 """Number of a menu's entries that a page gets."""
 
@@ -242,7 +244,8 @@ class MarkersFeed(Feed):
 
     def _put(self, event: Event | _Click | _Hold) -> None:
         """Note an event; on a thread of viser."""
-        if self._events.qsize() < MAX_EVENTS:
+        is_end = not isinstance(event, _Click) and event.phase == "end"
+        if self._events.qsize() < MAX_EVENTS + MAX_ENDS * is_end:
             self._events.put(event)
 
     @property
