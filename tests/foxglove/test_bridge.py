@@ -383,7 +383,10 @@ def test_messages_pass_while_requests_for_parameters_wait_for_a_silent_node(
     domain_id: int, node: Node, start_bridge: StartBridge
 ) -> None:
     publisher = node.create_publisher(String, "/chatter", 10)
-    _, port = start_bridge()
+    program, port = start_bridge()
+    if (tasks := Path("/proc", str(program.process.pid), "task")).exists():
+        names = [(task / "comm").read_text().strip() for task in tasks.iterdir()]
+        assert names.count("tokio-rt-worker") > MAX_ASKING, "all of the SDK's threads may wait for nodes"
     with running_node(domain_id, "silent"), ExitStack() as stack:  # nobody spins it
         clients = [Client(port) for _ in range(MAX_ASKING + 1)]
         for client in clients:
