@@ -281,6 +281,13 @@ def test_too_many_pixels_are_refused_before_any_is_decoded(
         read_texture("t.png", tmp_path)
 
 
+def test_shade_of_a_colour_is_one_colour_and_two_colours_are_not(tmp_path: Path) -> None:
+    for name, last, is_plain in (("shade", 78, True), ("contrast", 120, False)):
+        levels = np.linspace(29, last, 64).astype(np.uint8)
+        Image.fromarray(np.tile(levels[:, np.newaxis, np.newaxis], (1, 8, 3))).save(tmp_path / f"{name}.png")
+        assert read_texture(f"{name}.png", tmp_path).is_plain == is_plain
+
+
 def test_large_picture_is_reduced_and_each_mode_and_format_is_read(tmp_path: Path) -> None:
     for name, mode in (
         ("a.png", "RGBA"),

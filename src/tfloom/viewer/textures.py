@@ -22,8 +22,8 @@ MAX_SIDE_PX = 2048
 """Longer sides are reduced, because each mesh has its own copy of the picture on each page."""
 MAX_KEPT = 4
 """Number of textures that are kept: the links of a robot share a few."""
-PLAIN = 24
-"""Range of a picture of one colour, of 256: a JPEG is never even."""
+PLAIN = 64
+"""Range of a picture of one colour, of 256: a shade of black is black, and a JPEG is never even."""
 
 FileKey = tuple[str, int, int]
 """Path, time of change and size of a file."""
