@@ -98,10 +98,10 @@ def test_collada_is_multiplied_by_its_unit_and_not_turned_by_its_up_axis(
 def test_mesh_has_the_colour_that_is_given(tmp_path: Path) -> None:
     for name in ("a.stl", "a.glb"):
         write_ball(tmp_path / name)
-        for color in ((255, 0, 0), (0, 0, 255)):
+        for color, light in {(255, 0, 0): (255, 0, 0), (0, 64, 128): (0, 13, 55)}.items():
             glb = read_model(f"file://{tmp_path}/{name}", ONE, color).glb
             mesh: Any = trimesh.load(io.BytesIO(glb), file_type="glb", force="mesh")
-            assert mesh.visual.main_color.tolist() == [*color, 255]
+            assert mesh.visual.material.main_color.tolist() == [*light, 255]
 
 
 def test_each_format_is_read_with_what_the_extra_installs(tmp_path: Path) -> None:

@@ -135,7 +135,11 @@ SIGNS = """<robot name="signs"><link name="base">
 <visual><origin xyz="0 0 1"/><geometry><mesh filename="quad.obj"/></geometry>
 <material name="two"><texture filename="two.png"/></material></visual>
 <visual><origin xyz="0 3 1"/><geometry><mesh filename="cube.stl" scale="2 2 2"/></geometry>
-<material name="one"><texture filename="one.png"/></material></visual></link></robot>"""
+<material name="one"><texture filename="one.png"/></material></visual>
+<visual><origin xyz="0 -3 1"/><geometry><box size="2 2 2"/></geometry>
+<material name="grey"><color rgba="0.25 0.25 0.25 1"/></material></visual>
+<visual><origin xyz="0 -6 1"/><geometry><mesh filename="cube.stl" scale="2 2 2"/></geometry>
+<material name="grey"/></visual></link></robot>"""
 QUAD = """v 0 -1 -1
 v 0 1 -1
 v 0 1 1
@@ -175,6 +179,10 @@ def test_texture_is_seen_on_a_mesh_that_has_coordinates_and_its_colour_on_one_wi
     tab.keep("textures")
     across = [float(np.median(places(channel)[:, 1])) for channel in range(3)]
     assert across[0] < across[1] < across[2]  # red, green and the blue cube, as y grows to the right
+    height, width = tab.pixels().shape[:2]
+    box, mesh = (tab.pixels()[height // 2, int(part * width)] for part in (0.235, 0.058))
+    assert 30 < box.max() < 90
+    assert np.abs(box - mesh).max() < 12, "a mesh has the colour of a box of the same material"
     tab.page.close()
     assert tab.faults == []
     view.signal(signal.SIGINT)

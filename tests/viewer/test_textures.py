@@ -135,7 +135,8 @@ def test_mesh_without_coordinates_has_the_mean_colour(tmp_path: Path) -> None:
     for name in ("a.stl", "far.obj"):
         model = read_model(f"file://{tmp_path}/{name}", ONE, texture=texture)
         assert not model.has_texture, name
-        assert opened(model.glb).visual.main_color.tolist() == [*mean, 255], name
+        # In glTF, colours are amounts of light.
+        assert opened(model.glb).visual.material.main_color.tolist() == [36, 1, 40, 255], name
 
 
 def test_texture_of_a_robot_is_found_as_its_meshes_are(tmp_path: Path) -> None:
@@ -239,7 +240,7 @@ def test_link_whose_texture_cant_be_read_has_its_colour_and_its_display_says_why
         display = loaded(robot(form, textured(name, color), collision='<sphere radius="9"/>'), tmp_path)
         (placed,) = display.shapes(S)
         if isinstance(placed.shape, shapes.Model):
-            assert tuple(opened(placed.shape.glb).visual.main_color.tolist()) == (*expected, 255)
+            assert tuple(opened(placed.shape.glb).visual.material.main_color.tolist()) == (*expected, 255)
         else:
             assert getattr(placed.shape, "color", None) == expected
         assert display.status.startswith("shown without a texture: ")

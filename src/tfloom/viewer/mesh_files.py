@@ -128,13 +128,19 @@ def _made(path: Path, data: bytes, color: Color | None, texture: Texture | None)
         _check(mesh)
         mesh.apply_scale(unit_m)
         if color is not None and not has_texture:
-            # Of vertices, because trimesh needs scipy to write those of faces.
-            colors = np.tile(np.array([*color, 255], np.uint8), (len(mesh.vertices), 1))
-            mesh.visual = trimesh.visual.ColorVisuals(mesh, vertex_colors=colors)
+            mesh.visual = _surface(None, baseColorFactor=[*_light_of(color), 255])
         content = mesh.export(file_type="glb")
     except Exception as error:  # each format's reader has its own errors
         raise DisplayError(f"{path.name} is not a mesh that can be read: {error}") from None
     return _Made(bytes(content), has_texture)
+
+
+def _light_of(color: Color) -> Color:
+    """Return a colour as glTF has it: by the amount of light, which sRGB's numbers are not."""
+    parts = np.array(color) / 255.0
+    light = np.where(parts <= 0.04045, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+    red, green, blue = (round(255.0 * float(part)) for part in light)
+    return red, green, blue
 
 
 def _textured(scene: Any, texture: Texture) -> tuple[Any, bool]:
@@ -156,12 +162,17 @@ def _textured(scene: Any, texture: Texture) -> tuple[Any, bool]:
         np.zeros((len(part.vertices), 2)) if table is None else table
         for part, table in zip(parts, coordinates, strict=True)
     ]
-    visual: Any = trimesh.visual
-    material = visual.material.PBRMaterial(
-        baseColorTexture=texture.picture, metallicFactor=0.0, roughnessFactor=1.0
-    )
-    mesh.visual = visual.TextureVisuals(uv=np.concatenate(uv), material=material)
+    mesh.visual = _surface(np.concatenate(uv), baseColorTexture=texture.picture)
     return mesh, True
+
+
+def _surface(uv: NDArray[np.float64] | None, **parts: Any) -> Any:
+    """Return what trimesh has for a surface that is not of metal, as glTF's is by default."""
+    import trimesh
+
+    visual: Any = trimesh.visual
+    material = visual.material.PBRMaterial(**parts, metallicFactor=0.0, roughnessFactor=1.0)
+    return visual.TextureVisuals(uv=uv, material=material)
 
 
 def _texture_coordinates(part: Any) -> NDArray[np.float64] | None:
