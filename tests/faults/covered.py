@@ -145,20 +145,20 @@ _BY_FILE: dict[str, dict[str, str]] = {
         "Context.remove_shutdown_hook(hook)": NOT_CALLED,
     },
     "node.endpoints.client": {
-        "Client.set_on_new_response_callback(callback)": OF_A_THREAD,
         "Client.__init__(executor)": OWN,
         "Client.__init__(other_type)": OWN,
         "Client.__init__(start_timer)": OWN,
+    },
+    "node.endpoints.endpoint": {
+        "Receiver.set_on_new_callback(callback)": OF_A_THREAD,
     },
     "node.endpoints.publisher": {
         "Publisher.__init__(event_callbacks)": "matched_of_publisher",
     },
     "node.endpoints.service": {
-        "Service.set_on_new_request_callback(callback)": OF_A_THREAD,
         "Service.__init__(callback)": "service",
     },
     "node.endpoints.subscription": {
-        "Subscription.set_on_new_message_callback(callback)": OF_A_THREAD,
         "Subscription.filter_samples(accepts)": OWN,
         "Subscription.__init__(callback)": "subscription",
         "Subscription.__init__(event_callbacks)": "matched_of_subscription",

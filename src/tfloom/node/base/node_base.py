@@ -764,7 +764,6 @@ class NodeBase:
         group = callback_group or self.default_callback_group
         publisher = publisher_class(writer, msg_type, name, profile, None, group, context=self.context)
         publisher.topic = topic
-        publisher.on_destroy = self.destroy_publisher
         entities.add_publisher(publisher)
         try:
             publisher.event_handlers = entities.watch(
@@ -872,7 +871,6 @@ class NodeBase:
             reader.close()
             raise
         subscription.topic = topic
-        subscription.on_destroy = self.destroy_subscription
         subscription.filter_by(content_filter)
         entities.add(subscription)
         try:
@@ -940,7 +938,6 @@ class NodeBase:
             logger=self.get_logger(),
         )
         service.srv_name = srv_name
-        service.on_destroy = self.destroy_service
         return entities.add(service)
 
     def create_client(
@@ -986,7 +983,6 @@ class NodeBase:
             other_type=lambda: other_type_text(entities.participant().graph, name, srv_type._TYPE_NAME),
         )
         client.srv_name = srv_name
-        client.on_destroy = self.destroy_client
         entities.add(client)
         entities.add(client.server_watch)
         return client
@@ -1042,10 +1038,9 @@ class NodeBase:
             raise ValueError(f"create_timer() {too_long('period', timer_period_sec)}")
         if (wrong_group := group_error(callback_group)) is not None:
             raise wrong_group
-        entities = self.__entities
-        timer = self.__timer(period_ns, callback, callback_group, clock, autostart=autostart)
-        timer.on_destroy = self.destroy_timer
-        return entities.add(timer)
+        return self.__entities.add(
+            self.__timer(period_ns, callback, callback_group, clock, autostart=autostart)
+        )
 
     def __timer(
         self,
@@ -1067,11 +1062,8 @@ class NodeBase:
         """Create a guard condition, whose callback runs after each trigger."""
         if (error := group_error(callback_group)) is not None:
             raise error
-        entities = self.__entities
         group = callback_group or self.default_callback_group
-        guard = GuardCondition(callback, group, context=self.context)
-        guard.on_destroy = self.destroy_guard_condition
-        return entities.add(guard)
+        return self.__entities.add(GuardCondition(callback, group, context=self.context))
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate for a loop on a thread that doesn't spin the node.
@@ -1164,8 +1156,6 @@ class NodeBase:
 
     def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
         """Destroy a subscription; False if it isn't this node's."""
-        for handler in subscription.event_handlers:
-            self.__entities.destroy(handler)
         return self.__entities.destroy(subscription)
 
     def destroy_service(self, service: Service) -> bool:
@@ -1174,12 +1164,7 @@ class NodeBase:
 
     def destroy_client(self, client: Client) -> bool:
         """Destroy a client; False if it isn't this node's. Its pending requests are cancelled."""
-        # Programs also pass an ActionClient, which is none of the clients: that has `destroy` of its own.
-        if not isinstance(client, Client):
-            return False
-        self.__entities.destroy(client.server_watch)
-        if client.unsent_timer is not None:
-            self.__entities.destroy(client.unsent_timer)
+        # Programs also pass an ActionClient, which is not one of the node's: that has its own `destroy`.
         return self.__entities.destroy(client)
 
     def destroy_timer(self, timer: Timer) -> bool:

@@ -138,7 +138,7 @@ class NodeEntities:
         self._check_not_forked()
         if entity.callback_group is not None:
             entity.callback_group.add_entity(entity.member)
-        entity.owner = self._owner
+        entity.owner, entity.on_destroy = self._owner, self.destroy
         self._entities.append(entity)
         executor = self.executor
         if executor is not None:
@@ -156,15 +156,17 @@ class NodeEntities:
         return True
 
     def destroy(self, entity: Entity) -> bool:
-        """Remove and destroy an entity; False if it isn't here."""
+        """Remove and destroy an entity and what belongs to it; False if it isn't here."""
         removed = self.remove(entity)
         if removed:
+            for other in entity.belongings():
+                self.destroy(other)
             entity.destroy()
         return removed
 
     def add_publisher(self, publisher: Publisher[Any]) -> None:
         """Add a publisher."""
-        publisher.owner = self._owner
+        publisher.owner, publisher.on_destroy = self._owner, self.destroy_publisher
         self._publishers.append(publisher)
 
     def destroy_publisher(self, publisher: Publisher[Any]) -> bool:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from tfloom._native import ReadyQueue
 from tfloom.common.seconds import checked_timeout
 from tfloom.node.context.context import WAKE
-from tfloom.node.endpoints.endpoint import UNREADABLE
+from tfloom.node.endpoints.endpoint import UNREADABLE, Receiver
 from tfloom.node.endpoints.queue_switch import QueueSwitch
 from tfloom.node.endpoints.service import ServiceEndpoint
 from tfloom.node.endpoints.service_introspection import Introspection
@@ -241,24 +241,8 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
             self._context.remove_queue(queue)
             self._queues.append(queue)
 
-    def set_on_new_response_callback(self, callback: Callable[[int], Any]) -> None:
-        """Call a function, on a thread, with the number of responses that have arrived, whenever there are some.
-
-        Those that wait now are among the first. rclpy's handle has this name.
-
-        Args:
-            callback: Called with a number above 0.
-
-        Raises:
-            InvalidHandle: the client was destroyed.
-            TypeError: `callback` isn't callable.
-            RCLError: a thread can't be started.
-        """
-        self._set_on_new(callback)
-
-    def clear_on_new_response_callback(self) -> None:
-        """Undo `set_on_new_response_callback`."""
-        self._clear_on_new()
+    set_on_new_response_callback = Receiver.set_on_new_callback
+    clear_on_new_response_callback = Receiver.clear_on_new_callback
 
     def _notify(self, queue: ReadyQueue | None, token: int) -> None:
         self._queue_switch.attach(queue, token)  # of responses that no `call` receives
@@ -381,6 +365,10 @@ class Client(ServiceEndpoint["Requester", SrvTypeRequest, SrvTypeResponse]):
     def _fail(self, future: Future[Any], why: str) -> None:
         future.set_executor(self._executor())
         future.set_exception(NoResponseError(f"no response from {self._name}: {why}"))
+
+    def belongings(self) -> Sequence[Entity]:
+        """Return what looks for servers, and what sends the requests that wait for one."""
+        return [self.server_watch] if self.unsent_timer is None else [self.server_watch, self.unsent_timer]
 
     def take_orphans(self, own: Future[Any] | None = None) -> list[Future[Any]]:
         """Remove the requests whose servers have all left without a response, and return their futures.

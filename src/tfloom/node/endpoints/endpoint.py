@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from tfloom.node.executing.entity import Entity
 from tfloom.node.log.rcutils_logger import ThrottledWarning
-from tfloom.node.values.exceptions import InvalidHandle
+from tfloom.node.values.exceptions import InvalidHandle, RCLError
 from tfloom.node.values.handle import Handle
 from tfloom.ros_imports.guard import ros_repr
 from tfloom.rosidl import cdr
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from tfloom._native import ReadyQueue
+    from tfloom._native import ReadyQueue, Sink
     from tfloom.node.endpoints.arrivals import Arrivals
     from tfloom.node.endpoints.queue_switch import QueueSwitch
     from tfloom.node.log.rcutils_logger import RcutilsLogger
@@ -71,7 +71,7 @@ class Endpoint(Generic[WireEndpoint]):
     """The node, as of an `Entity`."""
 
     on_destroy: Callable[[Any], object] | None = None
-    """Called with this by the first `destroy`: the node forgets it."""
+    """As of an `Entity`."""
 
     def __init__(self, endpoint: WireEndpoint, name: str) -> None:
         self._endpoint = endpoint
@@ -185,6 +185,8 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
 
     _queue_switch: QueueSwitch | None = None
     """Of an endpoint whose data other threads wait for, too."""
+    _sink: Sink | None = None
+    """Of a subscription whose messages are pushed into it, without Python."""
     _arrivals: Arrivals | None = None
     """Calls the function that was set to be told of new data. Only its thread takes from the wire then."""
 
@@ -212,30 +214,40 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
         else:
             self._queue_switch.attach(queue, token)
 
-    def _set_on_new(self, callback: Callable[[int], Any]) -> None:
-        """Call a function with the number of items that arrive from now on, and of those that wait, on a thread.
+    def set_on_new_callback(self, callback: Callable[[int], Any]) -> None:
+        """Call a function, on a thread, with the number of items that have arrived, whenever there are some.
+
+        The items are messages, requests or responses. Those that wait now are among the first. rclpy's handles have
+        this function.
+
+        Args:
+            callback: Called with a number above 0.
 
         Raises:
             InvalidHandle: the endpoint was destroyed.
-            TypeError: it isn't callable.
-            RCLError: a thread can't be started.
+            TypeError: `callback` isn't callable.
+            RCLError: a thread can't be started, or the messages are pushed into a sink.
         """
         # Imported where it is used, because few programs have executors of their own.
         from tfloom.node.endpoints.arrivals import Arrivals
         from tfloom.node.endpoints.queue_switch import QueueSwitch
 
+        if self._sink is not None:
+            raise RCLError(
+                "failed to set the callback of new messages: the messages are received without Python"
+            )
         self._alive()
         if not callable(callback):
             raise TypeError(f"a callback of new data must be callable, got {callback!r}")
-        self._clear_on_new()
+        self.clear_on_new_callback()
         if self._queue_switch is None:
             switch = QueueSwitch(super()._notify)  # which finds an endpoint that was replaced
             switch.attach(*self._attached)
             self._queue_switch = switch
         self._arrivals = Arrivals(self._queue_switch, self._collect, len(self._kept), callback)
 
-    def _clear_on_new(self) -> None:
-        """Undo `_set_on_new`."""
+    def clear_on_new_callback(self) -> None:
+        """Call the function that was set to be told of new data no more."""
         arrivals, self._arrivals = self._arrivals, None
         if arrivals is not None:
             arrivals.end()
@@ -253,7 +265,7 @@ class Receiver(ReceivingEndpoint[TakingEndpoint], Entity):
 
     def destroy(self) -> None:
         """As of an endpoint; the function that was told of new data is called no more."""
-        self._clear_on_new()
+        self.clear_on_new_callback()
         super().destroy()
 
     def has_next(self) -> bool:

@@ -132,24 +132,8 @@ class Service(ServiceEndpoint["Responder", SrvTypeRequest, SrvTypeResponse]):
         self._refusal = ""
         self.callback = callback
 
-    def set_on_new_request_callback(self, callback: Callable[[int], Any]) -> None:
-        """Call a function, on a thread, with the number of requests that have arrived, whenever there are some.
-
-        Those that wait now are among the first. rclpy's handle has this name.
-
-        Args:
-            callback: Called with a number above 0.
-
-        Raises:
-            InvalidHandle: the service was destroyed.
-            TypeError: `callback` isn't callable.
-            RCLError: a thread can't be started.
-        """
-        self._set_on_new(callback)
-
-    def clear_on_new_request_callback(self) -> None:
-        """Undo `set_on_new_request_callback`."""
-        self._clear_on_new()
+    set_on_new_request_callback = Receiver.set_on_new_callback
+    clear_on_new_request_callback = Receiver.clear_on_new_callback
 
     def send_response(self, response: SrvTypeResponse, header: RequestId) -> None:
         """Send the response to the request of `header`.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from enum import Enum
 from types import FunctionType, MethodType
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, cast
@@ -100,7 +100,6 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
         if qos_profile.history == HistoryPolicy.KEEP_LAST:
             self._history = max(qos_profile.depth, 1)
         self.raw = raw
-        self._sink: Sink | None = None
         self.event_handlers: list[EventHandler] = []
         self._filter: ContentFilter | None = None
         self._is_filter_announced = False
@@ -158,28 +157,8 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
             return super().take()
         return _FED if self._sink.take_pushed() else None
 
-    def set_on_new_message_callback(self, callback: Callable[[int], Any]) -> None:
-        """Call a function, on a thread, with the number of messages that have arrived, whenever there are some.
-
-        Those that wait now are among the first. rclpy's handle has this name.
-
-        Args:
-            callback: Called with a number above 0.
-
-        Raises:
-            InvalidHandle: the subscription was destroyed.
-            TypeError: `callback` isn't callable.
-            RCLError: a thread can't be started, or the messages are pushed into a sink.
-        """
-        if self._sink is not None:
-            raise RCLError(
-                "failed to set the callback of new messages: the messages are received without Python"
-            )
-        self._set_on_new(callback)
-
-    def clear_on_new_message_callback(self) -> None:
-        """Undo `set_on_new_message_callback`."""
-        self._clear_on_new()
+    set_on_new_message_callback = Receiver.set_on_new_callback
+    clear_on_new_message_callback = Receiver.clear_on_new_callback
 
     # Content filters
 
@@ -277,6 +256,10 @@ class Subscription(Receiver["Reader"], Generic[MsgType]):
             return cdr.decode(self.msg_type, data) if type(data) is bytes else data
         self._accepted = (None, None)
         return message
+
+    def belongings(self) -> Sequence[Entity]:
+        """Return the handlers of its events."""
+        return self.event_handlers
 
     def get_publisher_count(self) -> int:
         """Return the number of connected publishers.

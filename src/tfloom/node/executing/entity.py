@@ -10,7 +10,7 @@ from tfloom.node.values.handle import Handle
 from tfloom.ros_imports.guard import ros_repr
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
 
     from typing_extensions import Self
 
@@ -58,6 +58,9 @@ class Entity:
     owner: Any = None
     """The node. It is referenced, because a reference to the entity keeps it alive."""
 
+    on_destroy: Callable[[Any], object] | None = None
+    """Called with this by the first `destroy` of what a program destroys itself: the node forgets it."""
+
     def __repr__(self) -> str:
         return ros_repr(self)
 
@@ -100,6 +103,10 @@ class Entity:
         """Return the time of the next `take`, by `time.monotonic_ns`; None: after the next post."""
         return None
 
+    def belongings(self) -> Sequence[Entity]:
+        """Return the entities that the node destroys together with this one, before it."""
+        return ()
+
     def destroy(self) -> None:
         """Stop permanently; the node calls this when the entity is destroyed."""
         raise NotImplementedError
@@ -122,9 +129,6 @@ class CallbackEntity(Entity):
 
     callback: Callable[..., Any] | None
     """None: it only wakes the executor."""
-
-    on_destroy: Callable[[Any], object] | None = None
-    """Called with this by the first `destroy`: the node forgets it."""
 
     _destroyed = False
     _queue: ReadyQueue | None = None
