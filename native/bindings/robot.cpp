@@ -140,7 +140,8 @@ class OutputCalls {
   void call(robot::OutputKind kind, const std::vector<std::byte>& data) const {
     if (kind == robot::OutputKind::transforms && writer_ != nullptr) {
       try {
-        writer_->write(data);
+        while (!writer_->write(data)) {
+        }
       } catch (const std::exception&) {  // the writer is closed, as at the end of a program
       }
       return;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -23,6 +24,11 @@ struct SocketQueue {
   std::uint32_t used = 0;
   std::uint32_t limit = 0;
 };
+
+#ifdef __linux__
+// Return what an answer of sock_diag(7) says of a socket; nullopt if it says nothing of one.
+std::optional<SocketQueue> read_socket_queue(std::span<const std::byte> answer);
+#endif
 
 // How the kernel and the clock are asked; others in a test.
 class FlowSources {
@@ -50,29 +56,33 @@ class FlowControl {
   // Return the object of this process; a forked child has a separate one.
   static FlowControl& of_process();
 
-  // Wait until the socket at an address has room for a datagram, at most `patience` without any progress. Afterwards no
-  // datagram waits until the receiver has read some: one that has stopped must not stop the sender. Return false, at
-  // once, if the queue is unknown. May be called by any thread.
+  // Wait until the socket at an address has room for a datagram, at most `patience` in which the receiver reads nothing.
+  // Afterwards no datagram waits until it has read some: one that has stopped must not stop the sender. The wait ends after
+  // `longest_wait` in any case, because nothing can interrupt it: others may fill the socket as fast as it is read. Then no
+  // datagram waits until there was room. Return false, at once, if the queue is unknown. May be called by any thread.
   bool wait_for_room(const rtps::Address& receiver, std::size_t size);
 
   static constexpr std::chrono::milliseconds patience{50};
+  static constexpr std::chrono::milliseconds longest_wait{1000};
 
  private:
   struct Flow {
     std::size_t room = 0;  // what fits without another question
     FlowSources::Clock::time_point asked{};
     bool is_known = false;
-    bool is_stalled = false;
+    bool is_given_up = false;     // until it has read some, or has room
+    std::size_t given_up_at = 0;  // what waited in it at most since then; 0: room alone counts
   };
 
   // Return whether a datagram can be sent now; nullopt if the queue is unknown.
   std::optional<bool> has_room(const rtps::Address& receiver, std::size_t cost, std::size_t& used);
-  void give_up(const rtps::Address& receiver);
+  void give_up(const rtps::Address& receiver, std::size_t used);
 
   const std::unique_ptr<FlowSources> sources_;
   std::mutex mutex_;  // held while the kernel is asked, never while a sender sleeps
   // Guarded by mutex_. Bounded, because anybody may announce addresses.
   rtps::RecentMap<rtps::Address, Flow> flows_{1024};
+  bool is_answered_ = false;  // whether any queue was known
 };
 
 }  // namespace tfloom::dds

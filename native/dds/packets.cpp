@@ -22,6 +22,14 @@
 #endif
 
 namespace tfloom::dds {
+namespace {
+
+thread_local bool requests_acknowledgements = false;
+
+}  // namespace
+
+AcknowledgementRequest::AcknowledgementRequest() { requests_acknowledgements = true; }
+AcknowledgementRequest::~AcknowledgementRequest() { requests_acknowledgements = false; }
 
 #ifdef __linux__
 namespace {
@@ -107,18 +115,21 @@ ssize_t send(int descriptor, const msghdr* message, int flags) noexcept {
   }
   const bool is_inline = forms.is_of_inline_peer(*address);
   pace(*address, size_of(*message), is_inline);
-  if (!is_inline || !forms.has_ends()) return ::sendmsg(descriptor, message, flags);
+  const bool is_rewritten = is_inline && forms.has_ends();
+  if (!is_rewritten && !requests_acknowledgements) return ::sendmsg(descriptor, message, flags);
   std::vector<std::byte> datagram = joined(*message);
-  std::vector<std::vector<std::byte>> rewritten;
-  if (!forms.rewrite(*address, datagram, rewritten)) return ::sendmsg(descriptor, message, flags);
-  for (std::vector<std::byte>& replacement : rewritten) {
+  const std::size_t size = datagram.size();
+  if (requests_acknowledgements) rtps::request_acknowledgements(datagram);
+  std::vector<std::vector<std::byte>> replacements;
+  if (!is_rewritten || !forms.rewrite(*address, datagram, replacements)) replacements.push_back(std::move(datagram));
+  for (std::vector<std::byte>& replacement : replacements) {
     iovec part{replacement.data(), replacement.size()};
     msghdr replaced = *message;
     replaced.msg_iov = &part;
     replaced.msg_iovlen = 1;
     if (::sendmsg(descriptor, &replaced, flags) < 0) return -1;
   }
-  return static_cast<ssize_t>(datagram.size());
+  return static_cast<ssize_t>(size);
 }
 
 // Called by libddsc instead of recvmsg.

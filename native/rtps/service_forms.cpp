@@ -144,6 +144,14 @@ void start_anew_in_child() { forms_of_process.exchange(new ServiceForms)->abando
 
 }  // namespace
 
+void request_acknowledgements(std::span<std::byte> datagram) {
+  auto message = Message::of(datagram);
+  while (const auto submessage = message ? message->next() : std::nullopt) {
+    if (submessage->kind != Kind::heartbeat) continue;
+    datagram[static_cast<std::size_t>(submessage->bytes.data() - datagram.data()) + 1] &= ~std::byte{final_flag};
+  }
+}
+
 void append(std::vector<std::byte>& out, const ServiceHeader& header) {
   const std::size_t start = out.size();
   out.resize(start + ServiceHeader::size);

@@ -57,6 +57,9 @@ struct Related {
 // How many clients and servers of other participants are remembered.
 constexpr std::size_t max_clients = 65'536;
 
+// Let the heartbeats of a datagram request acknowledgements from all readers that receive them.
+void request_acknowledgements(std::span<std::byte> datagram);
+
 class ServiceForms;
 
 // A client or a server of a service: a writer and a reader of this process.

@@ -212,9 +212,34 @@ void be_answered_without_end() {
   check(take(responses), "the last response of a flood was lost");
 }
 
+// Of a probe: the heartbeats alone are changed, and nothing beyond the end of one that is cut off.
+void ask_for_acknowledgements() {
+  const auto probe = [](int final_and_not) {
+    Datagram datagram;
+    datagram.range(std::string_view("RTPS")).bytes({2, 1, 1, 16}).u32(1).u32(2).u32(3);
+    datagram.bytes({9, 3, 0, 0});  // info_ts without a time
+    datagram.bytes({0x15, 3, 28, 0, 0, 0, 16, 0}).u32(0).u32(0x03000005).u32(0).u32(7).bytes({1, 0, 0, 0}).u32(2);
+    for (const int flags : {final_and_not, 1}) {
+      datagram.bytes({7, flags, 28, 0}).u32(0).u32(0x03000005).u32(0).u32(1).u32(0).u32(7).u32(4);
+    }
+    datagram.bytes({6, 3, 4, 0}).u32(0);  // an acknowledgement, whose flag is another one
+    return datagram.bytes_;
+  };
+  std::vector<std::byte> datagram = probe(3);
+  request_acknowledgements(datagram);
+  check(datagram == probe(1), "a heartbeat requests no acknowledgement, or something else was changed");
+  for (std::size_t size = 0; size < datagram.size(); ++size) {
+    std::vector<std::byte> cut = probe(3);
+    cut.resize(size);
+    cut.shrink_to_fit();
+    request_acknowledgements(cut);
+  }
+}
+
 }  // namespace
 
 int main() {
+  ask_for_acknowledgements();
   serve_all_that_come();
   serve_one_among_many();
   serve_another_beside_a_flood();

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import signal
-import sys
 import threading
 import time
 
@@ -14,9 +12,8 @@ from tests.rmw.conftest import outputs_by_end
 
 from tfloom._native import ReadyQueue, SampleQueue
 from tfloom.rmw.base import NodeName
-from tfloom.rmw.cyclone.config import configuration
 from tfloom.rmw.cyclone.wire import open_participant
-from tfloom.rmw.qos import DurabilityPolicy, HistoryPolicy, QoS, ReliabilityPolicy
+from tfloom.rmw.qos import DurabilityPolicy, QoS, ReliabilityPolicy
 
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 DATA = b"\0\1\0\0data"
@@ -190,6 +187,7 @@ def test_a_process_that_closes_nothing_ends(domain_id, start_program) -> None:
 
 FORKS = """
 import os
+import signal
 pid = os.fork()
 if pid == 0:
     participant.close()
@@ -211,84 +209,3 @@ def test_forked_child_ends_without_effect_on_its_parent(domain_id, start_program
     )
     assert program.wait() == 0
     assert program.output == "child 7"
-
-
-BEST_EFFORT = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, history=HistoryPolicy.KEEP_ALL)
-paces = pytest.mark.skipif(
-    sys.platform != "linux", reason="the queue of another process's socket is known on Linux"
-)
-
-
-@pytest.fixture
-def small_sockets(domain_id: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Have sockets hold as much as Linux allows by default: six datagrams of 64 kB."""
-    large = 'SocketReceiveBufferSize max="4MB"'
-    assert large in configuration(domain_id)
-    small = configuration(domain_id).replace(large, 'SocketReceiveBufferSize max="208kB"')
-    monkeypatch.setenv("CYCLONEDDS_URI", small)
-
-
-@paces
-@pytest.mark.parametrize(
-    ("qos", "least"),
-    [
-        (QoS(history=HistoryPolicy.KEEP_ALL), 20),
-        # A reader that is not scheduled for longer than a writer waits loses some; without waits it gets two or three.
-        (BEST_EFFORT, 10),
-    ],
-    ids=["reliable", "best effort"],
-)
-def test_large_messages_arrive_in_small_sockets(
-    domain_id, small_sockets, start_peer, node, topic, wait_until, qos, least
-) -> None:
-    participant = open_participant(domain_id)
-    participant.add_node(node)
-    peer = start_peer()
-    reader, _ = peer("reader", topic, qos)
-    writer = participant.create_writer(node, topic, qos)
-    wait_until(lambda: writer.matched_count() == 1 and peer("matched", reader) == 1)
-    messages = [DATA + bytes([number]) * 2_000_000 for number in range(20)]
-    for message in messages:
-        writer.write(message)
-    sent = [hashlib.sha256(message).hexdigest() for message in messages]
-    last = DATA + b"last" * 500_000
-    received: list[str] = []
-
-    def all_have_come() -> bool:
-        if len(received) < len(messages):
-            writer.write(last)
-        received.extend(peer("take_digests", reader))
-        return hashlib.sha256(last).hexdigest() in received
-
-    wait_until(all_have_come, what="the message that is written after all others")
-    participant.close()
-    arrived = [digest for digest in received if digest in sent]
-    assert arrived == [digest for digest in sent if digest in arrived]
-    assert len(arrived) >= least
-
-
-@paces
-def test_stopped_reader_does_not_stop_its_writer(
-    domain_id, small_sockets, start_peer, node, topic, wait_until
-) -> None:
-    participant = open_participant(domain_id)
-    participant.add_node(node)
-    peer = start_peer()
-    reader, _ = peer("reader", topic, BEST_EFFORT)
-    writer = participant.create_writer(node, topic, BEST_EFFORT)
-    wait_until(lambda: writer.matched_count() == 1 and peer("matched", reader) == 1)
-    os.kill(peer.pid, signal.SIGSTOP)
-    begin = time.monotonic()
-    for _ in range(30):
-        writer.write(DATA + bytes(1_000_000))
-    took_s = time.monotonic() - begin
-    os.kill(peer.pid, signal.SIGCONT)
-    assert took_s < 5.0  # a wait for each of its 480 datagrams would take 24 s
-    last = DATA + b"last" * 500_000
-
-    def last_has_come() -> bool:
-        writer.write(last)
-        return hashlib.sha256(last).hexdigest() in peer("take_digests", reader)
-
-    wait_until(last_has_come)
-    participant.close()

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.conftest import python_with
 from tests.rmw.conftest import NODES, Wires
 
 from tfloom._native import DdsParticipant, DdsReader, DdsWriter, ReadyQueue
@@ -287,6 +288,46 @@ def test_server_replies_to_requests_in_the_format_of_rmw_cyclonedds(
     assert take(responses)[0] == HEADER + struct.pack("<Qq", 0x1122334455667788, 42) + b"told"
     for end in (requests, responses):
         end.close()
+    participant.close()
+
+
+ANSWERS = """
+import os, time
+from tfloom.rmw.base import NodeName, Service
+from tfloom.rmw.cyclone.wire import open_participant
+from tfloom.rmw.qos import QoS
+
+participant = open_participant(int(os.environ["ROS_DOMAIN_ID"]))
+node = NodeName("/a", "server")
+participant.add_node(node)
+kill = Service("/kill", "turtlesim/srv/Kill", *(f"RIHS01_{digit * 64}" for digit in "123"))
+server = participant.create_responder(node, kill, QoS())
+while True:
+    request = server.take()
+    if request is None:
+        time.sleep(0.001)
+    else:
+        server.send(request.id, request.data)
+"""
+
+
+def test_server_that_has_just_answered_does_not_wait_for_the_next_heartbeat(
+    domain_id: int, start_program, take, wait_until, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It waits for a new client to acknowledge a probe, which libddsc would ask for after the period of heartbeats."""
+    if reason := cyclone_services.start_translation(find_library()):
+        pytest.skip(f"what is sent is not changed here: {reason}")
+    period = "<HeartbeatInterval>20ms</HeartbeatInterval>"
+    assert period in configuration(domain_id)
+    long_period = '<HeartbeatInterval min="300s" minsched="300s" max="600s">300s</HeartbeatInterval>'
+    monkeypatch.setenv("CYCLONEDDS_URI", configuration(domain_id).replace(period, long_period))
+    start_program("python", *python_with({"tfloom.rmw.cyclone.services.HANDSHAKE_S": 300.0}, ANSWERS))
+    participant = cyclonedds.open_participant(domain_id)
+    for number in range(3):
+        client = participant.create_requester(CLIENT, KILL, QoS())
+        wait_until(client.is_ready)
+        client.send(HEADER + bytes([number] * 4))
+        assert take(client).data == HEADER + bytes([number] * 4)
     participant.close()
 
 

@@ -11,7 +11,11 @@ import time
 
 from tfloom.rmw.backends import open_participant
 from tfloom.rmw.base import NodeName, Participant, Reader, Topic, Writer
+from tfloom.rmw.cyclone import config
 from tfloom.rmw.qos import QoS
+
+if receive_buffer := os.environ.get("PEER_RECEIVE_BUFFER"):
+    config._RECEIVE_BUFFER = receive_buffer
 
 
 class Peer:
