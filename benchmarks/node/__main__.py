@@ -63,6 +63,8 @@ def round_trips() -> None:
         if way == "call":
             some = tuple(api for api in some if api != "cyclonedds")
         trip_rows(f"a service call by {way}", round_trip.measure("service", way, some), aim="4")
+    some = tuple(api for api in apis("example_interfaces") if api != "cyclonedds")
+    trip_rows("the first call of a new client", round_trip.measure(round_trip.FIRST_CALL, "call", some))
 
 
 def trip_rows(name: str, trips: dict[str, round_trip.Trip], aim: str = "") -> None:

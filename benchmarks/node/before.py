@@ -42,6 +42,7 @@ def trips() -> Iterator[Row]:
 def services() -> Iterator[Row]:
     yield from trip("a service call by `call`", "service", "call")
     yield from trip("a service call by `call_async`", "service", "call_async")
+    yield from trip("the first call of a new client", round_trip.FIRST_CALL, "call")
 
 
 def spinning() -> Iterator[Row]:

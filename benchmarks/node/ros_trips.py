@@ -173,6 +173,31 @@ class Calls:
                 return
         raise TimeoutError("no call was answered")
 
+    def measure_first(self, count: int) -> list[float]:
+        """Return the times of the first calls of `count` new clients [us], each from its creation to the response.
+
+        They are fewer where TURN_S is over.
+
+        Raises:
+                ValueError: a wrong answer, or none.
+        """
+        from example_interfaces.srv import AddTwoInts
+
+        times_us: list[float] = []
+        end = time.monotonic() + TURN_S
+        while len(times_us) < count and (not times_us or time.monotonic() < end):
+            self._number += 1
+            request = self._request(a=self._number, b=1)
+            start_ns = time.perf_counter_ns()
+            client = self._node.create_client(AddTwoInts, "bench_add")
+            client.wait_for_service()
+            response = client.call(request, timeout_sec=MAX_DURATION_S)
+            times_us.append((time.perf_counter_ns() - start_ns) / 1e3)
+            self._node.destroy_client(client)
+            if response is None or response.sum != self._number + 1:
+                raise ValueError(f"{self._number} + 1 was answered with {response}")
+        return times_us
+
     def _call_and_wait(self, request: Any) -> Any:
         return self._client.call(request, timeout_sec=MAX_DURATION_S)
 

@@ -39,7 +39,9 @@ from benchmarks.node.ros_trips import (
 WARM_UP = 200
 TURNS = 11
 SERVICE = "service"
-KINDS = ("String", *SIZES, SERVICE)
+FIRST_CALL = "first call"
+"""The first call of a new client, from its creation to the response."""
+KINDS = ("String", *SIZES, SERVICE, FIRST_CALL)
 
 
 def trips_of_a_turn(api: str, kind: str, way: str) -> int:
@@ -49,7 +51,7 @@ def trips_of_a_turn(api: str, kind: str, way: str) -> int:
     # In rclpy 7.1.6 each `spin_until_future_complete` takes longer than the one before.
     if api == "rclpy" and way == "call_async":
         return 30
-    return {"64 kB": 200, "1 MB": 20, "8 MB": 20}.get(kind, 500)
+    return {"64 kB": 200, "1 MB": 20, "8 MB": 20, FIRST_CALL: 100}.get(kind, 500)
 
 
 MeasureUs = Callable[[int], list[float]]
@@ -87,7 +89,7 @@ def ros_answers(api: str, kind: str, way: str) -> None:
     rclpy.init()
     node = rclpy.create_node("answers", namespace=api)
     answered = Answered()
-    if kind == SERVICE:
+    if kind in (SERVICE, FIRST_CALL):
         answer_calls(node, answered)
     else:
         answer_messages(node, kind, answered)
@@ -102,12 +104,12 @@ def ros_asks(api: str, kind: str, way: str) -> None:
 
     rclpy.init()
     node = rclpy.create_node("asks", namespace=api)
-    if kind == SERVICE:
+    if kind in (SERVICE, FIRST_CALL):
         calls = Calls(node, way)
         wait_for(calls.is_matched)
         calls.call_until_answered()
         with spinning("spin", node) if way == "call" else contextlib.nullcontext():
-            serve(calls.measure)
+            serve(calls.measure if kind == SERVICE else calls.measure_first)
         return
     messages = Messages(node, kind)
     wait_for(messages.is_matched)
@@ -247,7 +249,7 @@ def measure(kind: str, way: str, apis: tuple[str, ...]) -> dict[str, Trip]:
 
     Args:
         kind: One of KINDS.
-        way: One of WAYS; for a service call, one of WAYS_TO_CALL.
+        way: One of WAYS; for a service call, one of WAYS_TO_CALL; for FIRST_CALL "call".
         apis: Of `processes.apis`.
     """
     with contextlib.ExitStack() as stack:
@@ -266,7 +268,7 @@ def percentile(values: list[float], percent: int) -> float:
 
 def main() -> None:
     role, api, kind, way = sys.argv[1:]
-    assert way in (WAYS_TO_CALL if kind == SERVICE else WAYS)
+    assert way in (WAYS_TO_CALL if kind in (SERVICE, FIRST_CALL) else WAYS)
     if api == "cyclonedds":
         {"answer": cyclonedds_answers, "ask": cyclonedds_asks}[role](kind)
     else:
