@@ -1062,8 +1062,9 @@ class NodeBase:
         """Create a guard condition, whose callback runs after each trigger."""
         if (error := group_error(callback_group)) is not None:
             raise error
+        entities = self.__entities
         group = callback_group or self.default_callback_group
-        return self.__entities.add(GuardCondition(callback, group, context=self.context))
+        return entities.add(GuardCondition(callback, group, context=self.context))
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate for a loop on a thread that doesn't spin the node.
