@@ -403,6 +403,7 @@ def test_client_is_ready_when_matched_in_both_directions(requests, responses, is
 
 def test_question_begins_the_handshake_and_does_not_wait_for_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cyclone_services, "HANDSHAKE_S", 60.0)
+    monkeypatch.setattr(cyclone_services, "PROBE_AGAIN_S", 60.0)
     requests, responses = (FakeEnd((CYCLONE, b"serviceid=1;")) for _ in range(2))
     requests.acknowledges = False
     servers = CycloneServers(requests, responses, "/kill", Vendors())
@@ -444,6 +445,7 @@ def test_each_new_reader_has_the_whole_time_to_acknowledge(monkeypatch: pytest.M
     now_s = 0.0
     monkeypatch.setattr(cyclone_services, "time", SimpleNamespace(monotonic=lambda: now_s))
     monkeypatch.setattr(cyclone_services, "HANDSHAKE_S", 10.0)
+    monkeypatch.setattr(cyclone_services, "PROBE_AGAIN_S", 100.0)
     writer = FakeEnd()
     writer.acknowledges = False
     handshake = cyclone_services.Handshake(writer)
@@ -456,6 +458,27 @@ def test_each_new_reader_has_the_whole_time_to_acknowledge(monkeypatch: pytest.M
     now_s = 19.0
     assert handshake.is_complete([first, second])
     assert writer.probes == 2
+
+
+def test_reader_that_missed_a_probe_is_probed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    now_s = 0.0
+    monkeypatch.setattr(cyclone_services, "time", SimpleNamespace(monotonic=lambda: now_s))
+    monkeypatch.setattr(cyclone_services, "PROBE_AGAIN_S", 0.002)
+    writer = FakeEnd()
+    writer.acknowledges = False
+    handshake = cyclone_services.Handshake(writer)
+    readers = [(bytes.fromhex(CYCLONE) + bytes(14), b"")]
+    probed: list[int] = []
+    for milliseconds in range(100):
+        now_s = milliseconds / 1000
+        before = writer.probes
+        assert not handshake.is_complete(readers)
+        probed += [milliseconds] * (writer.probes - before)
+    assert probed == [0, 2, 6, 14, 30, 62]  # few, because a reader of a killed process never acknowledges
+    writer.acknowledges = True
+    assert handshake.is_complete(readers)
+    assert handshake.is_complete(readers)
+    assert len(probed) == writer.probes
 
 
 @pytest.mark.parametrize("count", [1, 50, 300])

@@ -39,7 +39,10 @@ _KEPT_BY_FAST_DDS = 10
 HANDSHAKE_S = 0.1
 """The longest wait for the acknowledgement of a probe [s]."""
 
-_ACKS_SLICE_NS = 5_000_000
+PROBE_AGAIN_S = 0.002
+"""How long after a probe that was not acknowledged the next one is sent [s]; after each more twice as long."""
+
+_ACKS_SLICE_NS = 1_000_000
 
 
 def end_id(participant_gid: bytes, number: int) -> str:
@@ -79,6 +82,9 @@ class Handshake:
     A reader drops all messages that precede the first heartbeat it receives from a writer, though both are matched
     before. The first of many requests that are sent at once would be lost without notice. So new readers are probed:
     one that has acknowledged the probe receives all that is written later.
+
+    A reader acknowledges nothing if the probe comes at the moment in which it is being matched. The library's next
+    heartbeat follows after its period, so the probe is repeated before.
     """
 
     def __init__(self, writer: CycloneWriter) -> None:
@@ -88,6 +94,8 @@ class Handshake:
         """The readers at the last probe, or fewer."""
         self._end_s: float | None = None
         """End of the wait for acknowledgements, on the monotonic clock [s]; None: all are there."""
+        self._again_s, self._pause_s = 0.0, 0.0
+        """When to probe again, and the time between that and the next probe [s]."""
 
     def is_complete(self, readers: list[tuple[bytes, bytes]]) -> bool:
         """Return whether these readers receive all that is written now; probe those that are new.
@@ -100,13 +108,23 @@ class Handshake:
         with self._lock:
             # Only a new reader makes a probe necessary. If some have merely left, the others have been probed.
             if not set(readers) <= set(self._probed):
-                self._writer.probe()
                 self._end_s = time.monotonic() + HANDSHAKE_S
+                self._pause_s = PROBE_AGAIN_S
+                self._probe()
             self._probed = readers
+            if self._end_s is None:
+                return True
             # If all that was written is acknowledged, so is the probe.
-            if self._end_s is not None and (self._writer.wait_for_acks(0) or time.monotonic() >= self._end_s):
+            if self._writer.wait_for_acks(0) or time.monotonic() >= self._end_s:
                 self._end_s = None
+            elif time.monotonic() >= self._again_s:
+                self._probe()
             return self._end_s is None
+
+    def _probe(self) -> None:
+        self._writer.probe()
+        self._again_s = time.monotonic() + self._pause_s
+        self._pause_s *= 2
 
     def wait(self, readers: list[tuple[bytes, bytes]]) -> None:
         """Wait until `is_complete`."""
