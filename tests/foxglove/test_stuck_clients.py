@@ -6,7 +6,9 @@ import signal
 import socket
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager
+from contextlib import closing, contextmanager, suppress
+from itertools import count
+from pathlib import Path
 
 import psutil
 import pytest
@@ -59,6 +61,45 @@ def test_client_that_takes_nothing_delays_nobody(domain_id: int, node: Node) -> 
         with stuck_client(reader.bridge.port):
             reader.wait_for(lambda: publisher.get_subscription_count() == 1, "the subscription")
             publish(publisher, reader, MESSAGES)
+
+
+def test_client_that_takes_none_of_its_files_is_cut_off_and_others_get_theirs(
+    domain_id: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("tfloom.foxglove.bridge.MAX_ASSET_BYTES", 8 * SIZE)
+    path = tmp_path / "big.stl"
+    path.write_bytes(bytes(range(250)) * (SIZE // 250))
+    with bridging(domain_id, "asset_uri_allowlist:=['file://.*']") as bridge:
+        reader = Client(bridge.port)
+        numbers = count(1)
+
+        def answer() -> tuple[int, str, bytes]:
+            """Ask for the file, and return what the reader gets."""
+            number = next(numbers)
+            reader.send(op="fetchAsset", uri=path.as_uri(), requestId=number)
+            reader.wait_for(lambda: number in reader.assets, "the answer")
+            return reader.assets.pop(number)
+
+        with closing(reader.socket):
+            for _ in range(20):  # one that takes them may have as many as it wants
+                assert answer() == (0, "", path.read_bytes())
+            hostile = RawClient(bridge.port)
+            with closing(hostile.socket):
+                for number in range(30):
+                    hostile.send(op="fetchAsset", uri=path.as_uri(), requestId=number)
+                said = "is not sent while clients don't take the files before"
+                reader.wait_for(lambda: answer()[0] == 1, "a refusal")
+                reader.wait_for(lambda: said in reader.statuses(), "the reason")
+                assert bridge._asset_bytes <= 8 * SIZE
+                monkeypatch.setattr("tfloom.foxglove.bridge.STUCK_S", 0.1)
+                reader.wait_for(lambda: answer()[0] == 0, "the file, after the other one is cut off")
+                reader.wait_for(
+                    lambda: "1 clients take nothing of the files" in reader.statuses(), "the status"
+                )
+                with suppress(ConnectionError):
+                    while hostile.socket.recv(65536):
+                        pass
+        assert "1 clients take nothing of the files" in capfd.readouterr().err
 
 
 def test_close_returns_while_a_client_takes_nothing(

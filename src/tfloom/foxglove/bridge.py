@@ -59,6 +59,10 @@ SLOT_S = 0.5
 """How long a further one waits for its turn [s]."""
 MAX_ASSETS = 4
 """Number of files that are read at once for all clients."""
+MAX_ASSET_BYTES = 512 * 1024 * 1024
+"""Size of the files that go to clients while one of them takes nothing."""
+STUCK_S = 5.0
+"""How long a client may take nothing then, until it is cut off [s]."""
 MAX_REFUSALS = 100
 """Number of reasons for which connections are refused that are logged."""
 CAPABILITIES = {
@@ -93,6 +97,10 @@ class FoxgloveBridge(Node):
         self._complaints = Complaints(self.get_logger())
         self.parameter_slots = threading.BoundedSemaphore(MAX_ASKING)
         self._asset_slots = threading.BoundedSemaphore(MAX_ASSETS)
+        self._asset_lock = threading.Lock()
+        """Guards the member below."""
+        self._asset_bytes = 0
+        """Size of the files that went to clients since none of them left anything waiting."""
         self._refusals: set[str] = set()
         """Why connections were refused; each reason is logged once, because pages try again and again."""
         try:
@@ -291,10 +299,36 @@ class FoxgloveBridge(Node):
     def _read_asset(self, uri: str) -> bytes | None:
         try:
             with self._asset_slots:
-                return read_asset(uri, self.settings)
+                content = read_asset(uri, self.settings)
+                self._count_asset(uri, len(content))
         except AssetError as error:
             self.warn(str(error))
             return None
+        return content
+
+    def _count_asset(self, uri: str, size: int) -> None:
+        """Note that a file goes to a client.
+
+        The SDK keeps all files that its clients have asked for and not taken. It doesn't say whose a request is, so
+        one client that takes nothing counts for all, until its connection is cut.
+
+        Raises:
+            AssetError: too much waits.
+        """
+        with self._asset_lock:
+            self._asset_bytes += size
+            if self._asset_bytes <= MAX_ASSET_BYTES or self._relay is None:
+                return
+            cut, waiting = self._relay.cut_stuck(STUCK_S)
+            if cut:
+                self.warn(
+                    f"{cut} clients take nothing of the files that they have asked for: they are cut off"
+                )
+            if not waiting:
+                self._asset_bytes = size
+                return
+            self._asset_bytes -= size
+        raise AssetError(f"{uri} is not sent while clients don't take the files before: ask again")
 
 
 def foxglove_error() -> type[Exception]:

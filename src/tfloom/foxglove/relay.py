@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import math
 import socket
 import threading
 from collections.abc import Callable, Coroutine, Iterable
+from concurrent.futures import Future
+from concurrent.futures import TimeoutError as FutureTimeoutError
 from functools import partial
 from http import HTTPStatus
 from typing import TYPE_CHECKING, Any, TypeVar, cast
@@ -99,6 +102,22 @@ class Relay:
     def refuse_more(self) -> None:
         """Close the port; connections that are let through stay."""
         self._do(self._refuse_more(), None)
+
+    def cut_stuck(self, longer_s: float) -> tuple[int, int]:
+        """Cut the connections whose clients have taken nothing for some time; on any thread but the relay's.
+
+        Args:
+            longer_s: How long [s].
+
+        Returns:
+            How many were cut, and of how many others something waits now.
+        """
+        answer: Future[tuple[int, int]] = Future()
+        try:
+            self._loop.call_soon_threadsafe(lambda: answer.set_result(self._cut_stuck(longer_s)))
+            return answer.result(REQUEST_S)
+        except (RuntimeError, FutureTimeoutError):  # the relay has closed
+            return 0, 0
 
     def close(self, timeout_s: float) -> bool:
         """Close all connections, when the clients have taken what the SDK has sent; return whether all took it.
@@ -225,6 +244,14 @@ class Relay:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
 
+    def _cut_stuck(self, longer_s: float) -> tuple[int, int]:
+        waiting = [end for end in self._ends if isinstance(end, _Client) and math.isfinite(end.stuck_from_s)]
+        before_s = self._loop.time() - longer_s
+        stuck = [end for end in waiting if end.stuck_from_s <= before_s]
+        for end in stuck:
+            end.abort()
+        return len(stuck), len(waiting) - len(stuck)
+
     async def _close(self, timeout_s: float) -> bool:
         ends = {*self._ends}
         if ends:
@@ -249,6 +276,8 @@ class _End(asyncio.Protocol):
         self._loop = loop
         self.other = other
         self.closed: asyncio.Future[None] = loop.create_future()
+        self.stuck_from_s = math.inf
+        """Since when it takes nothing of what waits for it, on the loop's clock [s]; infinite: it does."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         self.transport = cast("asyncio.Transport", transport)
@@ -258,10 +287,12 @@ class _End(asyncio.Protocol):
             self.other.transport.write(data)
 
     def pause_writing(self) -> None:
+        self.stuck_from_s = self._loop.time()
         if self.other is not None:
             self.other.transport.pause_reading()
 
     def resume_writing(self) -> None:
+        self.stuck_from_s = math.inf
         if self.other is not None:
             self.other.transport.resume_reading()
 
