@@ -92,15 +92,37 @@ def local(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
 
 
+IN_POOL = """
+executor = rclpy.executors.MultiThreadedExecutor(2)
+executor.add_node(node)
+rclpy.spin = lambda _: executor.spin()
+"""
+
+
 @pytest.mark.parametrize(
     ("code", "number", "ends"),
     [
+        (PROGRAM + IN_POOL + IN_MAIN.removeprefix(PROGRAM), signal.SIGINT, ["KeyboardInterrupt not ok"]),
+        (PROGRAM + IN_POOL + IN_MAIN.removeprefix(PROGRAM), signal.SIGTERM, ["returned"]),
+        (
+            PROGRAM + IN_POOL + IN_THREAD.removeprefix(PROGRAM),
+            signal.SIGINT,
+            ["main KeyboardInterrupt", "returned"],
+        ),
         (IN_MAIN, signal.SIGINT, ["KeyboardInterrupt not ok"]),
         (IN_MAIN, signal.SIGTERM, ["ExternalShutdownException not ok"]),
         (IN_THREAD, signal.SIGINT, ["ExternalShutdownException not ok", "main KeyboardInterrupt"]),
         (IN_THREAD, signal.SIGTERM, ["ExternalShutdownException not ok"]),
     ],
-    ids=["Ctrl-C", "SIGTERM", "Ctrl-C, spin on another thread", "SIGTERM, spin on another thread"],
+    ids=[
+        "Ctrl-C, several threads",
+        "SIGTERM, several threads",
+        "Ctrl-C, several threads, spin on another one",
+        "Ctrl-C",
+        "SIGTERM",
+        "Ctrl-C, spin on another thread",
+        "SIGTERM, spin on another thread",
+    ],
 )
 def test_a_signal_ends_a_spin(start_program: StartProgram, code: str, number: int, ends: list[str]) -> None:
     program = start_program("python", "-c", code)
@@ -198,9 +220,10 @@ def test_interrupted_program_keeps_no_lock(start_program: StartProgram) -> None:
 def test_signal_during_publishing_is_reported_as_a_signal(start_program: StartProgram) -> None:
     (line,) = printed_by(start_program, PUBLISHING)
     assert set(ast.literal_eval(line)) == {
-        (kind, *ending)
-        for kind in ("single", "multi", "events")
-        for ending in (("SIGINT", "KeyboardInterrupt"), ("SIGTERM", "ExternalShutdownException"))
+        ("single", "SIGTERM", "ExternalShutdownException"),
+        ("multi", "SIGTERM", "returned"),
+        ("events", "SIGTERM", "ExternalShutdownException"),
+        *((kind, "SIGINT", "KeyboardInterrupt") for kind in ("single", "multi", "events")),
     }
 
 

@@ -15,6 +15,7 @@ from tfloom.interfaces.example_interfaces.srv import AddTwoInts
 from tfloom.interfaces.std_msgs.msg import Int32
 from tfloom.node import client_library as rclpy
 from tfloom.node.context.context import Context
+from tfloom.node.context.utilities import own_defaults
 from tfloom.node.executing.callback_groups import (
     CallbackGroup,
     MutuallyExclusiveCallbackGroup,
@@ -53,16 +54,16 @@ def executor(request: pytest.FixtureRequest, context: Context) -> Iterator[Execu
 
 
 class Spinning:
-    """A thread in `executor.spin()`, and the exception that ended it."""
+    """A thread in `executor.spin()`, or in another of its methods, and the exception that ended it."""
 
-    def __init__(self, executor: Executor) -> None:
+    def __init__(self, executor: Executor, method: str = "spin", *arguments: object) -> None:
         self.error: BaseException | None = None
-        self.thread = threading.Thread(target=self._spin, args=(executor,))
+        self.thread = threading.Thread(target=self._spin, args=(getattr(executor, method), *arguments))
         self.thread.start()
 
-    def _spin(self, executor: Executor) -> None:
+    def _spin(self, spin: Callable[..., None], *arguments: object) -> None:
         try:
-            executor.spin()
+            spin(*arguments)
         except BaseException as error:  # noqa: BLE001
             self.error = error
 
@@ -415,6 +416,43 @@ def test_rate_keeps_its_period_until_shutdown(context: Context, node: Node) -> N
         with pytest.raises(ROSInterruptException):
             slow.sleep()
         assert isinstance(spinning.join(), ExternalShutdownException | None)
+
+
+@pytest.mark.parametrize("end", [rclpy.shutdown, rclpy.try_shutdown], ids=["shutdown", "try_shutdown"])
+@pytest.mark.parametrize("spin", ["spin", "spin_once", "spin_until_future_complete"])
+def test_rclpy_spin_on_a_thread_returns_when_another_shuts_down(
+    spin: str, end: Callable[[], object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("RMW_IMPLEMENTATION", "tfloom_local")
+    with own_defaults(Context()):
+        rclpy.init()
+        node = rclpy.create_node("spun")
+        executor = rclpy.get_global_executor()
+        executor.add_node(node)
+        arguments = [Future[int]()] if spin == "spin_until_future_complete" else []
+        spinning = Spinning(executor, spin, *arguments)
+        wait_until(lambda: executor._spin_depth)
+        end()
+        assert spinning.join() is None
+        if spin != "spin_once":
+            executor.spin_once()
+        with pytest.raises(ExternalShutdownException):  # so that a loop of a program ends
+            executor.spin_once()
+
+
+@pytest.mark.parametrize("spin", ["spin", "spin_once", "spin_until_future_complete"])
+def test_pool_returns_when_the_context_is_shut_down(context: Context, node: Node, spin: str) -> None:
+    with MultiThreadedExecutor(2, context=context) as pool:
+        pool.add_node(node)
+        arguments = [Future[int]()] if spin == "spin_until_future_complete" else []
+        spinning = Spinning(pool, spin, *arguments)
+        wait_until(lambda: pool._spin_depth)
+        context.shutdown()
+        assert spinning.join() is None
+        if spin != "spin_once":
+            pool.spin_once()
+        with pytest.raises(ExternalShutdownException):
+            pool.spin_once()
 
 
 def test_shutting_the_context_down_ends_a_spin(context: Context, node: Node, executor: Executor) -> None:

@@ -187,7 +187,8 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
     Raises:
-        ExternalShutdownException: the context was shut down by a signal, or by another thread.
+        ExternalShutdownException: a signal has shut the context down; with `executor`, also another thread, but for a
+            MultiThreadedExecutor, which returns after both.
         KeyboardInterrupt: Ctrl-C, on the main thread.
         Exception: raised by a callback.
         TypeError: there is no node.

@@ -110,6 +110,9 @@ class Executor(OfferedWork):
         context: Context whose shutdown ends every spin; None: the default one.
     """
 
+    _returns_after_signal = False
+    """Whether a spin also returns when a signal has shut the context down, but for Ctrl-C on the main thread."""
+
     def __init__(self, *, context: Context | None = None) -> None:
         super().__init__()
         self._context = context or get_default_context()
@@ -130,6 +133,10 @@ class Executor(OfferedWork):
         """The nodes that were added. Guarded by `_lock`."""
         self._is_shutdown = False
         """Set once, by `shutdown`, without a lock."""
+        self._returns_after_shutdown = False
+        """Whether a spin returns when the context is shut down without a signal. Written before the first spin."""
+        self._has_returned = False
+        """Whether a single spin has returned because of the context's shutdown. Set once, without a lock."""
         self._running = RunningWork()
         """The threads that run callbacks now."""
         self._blocked_since_ns: int | None = None
@@ -420,7 +427,8 @@ class Executor(OfferedWork):
         """Run callbacks until the context, or the executor, is shut down.
 
         Raises:
-            ExternalShutdownException: the context was shut down by a signal, or while this waited.
+            ExternalShutdownException: the context was shut down by a signal, or while this waited; not by a
+                MultiThreadedExecutor, nor, without a signal, by the one that `rclpy.spin` uses: they return.
             KeyboardInterrupt: Ctrl-C, on the main thread.
             Exception: raised by a callback.
             RuntimeError: another thread is spinning this executor.
@@ -429,7 +437,7 @@ class Executor(OfferedWork):
             while self._context.ok() and not self._is_shutdown:
                 self.spin_once()
         if self._context.is_interrupted():  # by a signal that arrived while a callback ran
-            raise shutdown_exception()
+            self._end_at_shutdown(shutdown_exception())
 
     def spin_on_own_thread(self) -> None:
         """Run callbacks as `spin` does, on a thread that the library has started, whose end nobody would notice.
@@ -511,7 +519,23 @@ class Executor(OfferedWork):
             work = self._wait_for_work(end_ns, condition, until_response=True)
         except (TimeoutException, ShutdownException, ConditionReachedException):
             return
+        except ExternalShutdownException as error:
+            self._end_at_shutdown(error)
+            return
         self._run(work)
+
+    def _end_at_shutdown(self, error: BaseException) -> None:
+        """Raise `error`, the end of a spin by the context's shutdown, or return if the spin is to return.
+
+        It returns once: a program that spins again and again without asking `rclpy.ok()` must see its end.
+        """
+        returns = self._returns_after_signal or (
+            self._returns_after_shutdown and not self._context.is_interrupted()
+        )
+        is_external = isinstance(error, ExternalShutdownException)  # and not KeyboardInterrupt
+        if not returns or not is_external or not self._context.is_over() or self._has_returned:
+            raise error
+        self._has_returned = not self._is_in_long_spin
 
     def _wait_for_work(
         self,

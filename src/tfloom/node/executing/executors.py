@@ -7,7 +7,6 @@ import time
 import warnings
 from collections import deque
 from collections.abc import Callable, Coroutine, Iterable
-from contextlib import suppress
 from types import CoroutineType
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -133,6 +132,7 @@ class MultiThreadedExecutor(Executor):
         self._awaited: Future[Any] | None = None
         """The future at whose completion the present spin ends. Written by the thread that spins, without a lock."""
 
+    _returns_after_signal = True
     _runs_tasks_first = False  # they run on other threads, which may all wait for a response
 
     def _has_room(self) -> bool:
@@ -149,14 +149,20 @@ class MultiThreadedExecutor(Executor):
         # A callback is in the pool's queue, and no thread to run it. Any call makes the pool try to start one again.
         if self._lacks_thread:
             self._start_thread(lambda: None)
-        with suppress(TimeoutException, ShutdownException, ConditionReachedException):
+        try:
             work = self._wait_for_work(end_ns, stop, until_response=True)
             self._submit(work)
+        except (TimeoutException, ShutdownException, ConditionReachedException):
+            pass
+        except ExternalShutdownException as end:
+            self._end_at_shutdown(end)
         # One error for each spin; the next one stops at once for the next error. What a callback saw of the shutdown on
         # its thread is replaced by what this thread must raise, KeyboardInterrupt on the main one after Ctrl-C.
         if self._errors and not is_nested:
             error = self._errors.popleft()
-            raise shutdown_exception() if isinstance(error, ExternalShutdownException) else error
+            if not isinstance(error, ExternalShutdownException):
+                raise error
+            self._end_at_shutdown(shutdown_exception())
 
     def _spin_until(self, future: Future[Any], end_ns: int | None, is_over: Callable[[], bool]) -> None:
         self._awaited = future
@@ -359,5 +365,7 @@ def get_global_executor() -> Executor:
         if executor is None or executor.context is not context or executor.is_shutdown:
             if executor is not None:  # a callback of it that still runs isn't waited for
                 executor.shutdown(0.0)
-            executor = defaults.executor = SingleThreadedExecutor(context=context)
+            executor = SingleThreadedExecutor(context=context)
+            executor._returns_after_shutdown = True  # noqa: SLF001  # of the class that this file completes
+            defaults.executor = executor
         return executor
