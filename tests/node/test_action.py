@@ -236,7 +236,7 @@ def test_failing_execute_callback_aborts_the_goal(
     handle = finish(client.send_goal_async(Fibonacci.Goal()))
     assert finish(handle.get_result_async()).status == GoalStatus.STATUS_ABORTED
     printed = capsys.readouterr().err
-    assert "Error raised in execute callback: mine" in printed
+    assert ".action_server]: Error raised in execute callback: mine" in printed
     assert "ValueError: mine" in printed
     server.register_execute_callback(lambda goal_handle: None)
     handle = finish(client.send_goal_async(Fibonacci.Goal()))

@@ -162,3 +162,12 @@ def test_services_change_the_state_and_events_report_it(
         "shuttingdown",
         "finalized",
     ]
+
+
+def test_results_of_transitions_are_printed_by_name() -> None:
+    result = TransitionCallbackReturn.FAILURE
+    texts = (str(result), f"{result}", repr(result))
+    assert texts == (
+        *2 * ["TransitionCallbackReturnType.FAILURE"],
+        "<TransitionCallbackReturnType.FAILURE: 98>",
+    )

@@ -269,7 +269,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     async def _is_goal_accepted(self, goal: Any) -> bool:
         response = await await_or_execute(self._goal_callback, goal)
         if not isinstance(response, GoalResponse):
-            self._node.get_logger().warning(
+            self._node.get_logger().get_child("action_server").warning(
                 "Goal request callback did not return a GoalResponse type. Rejecting goal."
             )
         return response is GoalResponse.ACCEPT
@@ -293,19 +293,23 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         except Exception as error:  # the goal fails, not the server
             if self._node.context.is_caused_by_signal(error):
                 raise
-            self._node.get_logger().error(f"Error raised in execute callback: {error}")
+            self._node.get_logger().get_child("action_server").error(
+                f"Error raised in execute callback: {error}"
+            )
             print_error(error)
             result = None
         # The callback has raised, or returned without an end of the goal. The client waits for its result in any case.
         if handle.is_active:
             goal_id = key_of(handle.goal_id).hex()
-            self._node.get_logger().warning(f"Goal state not set, assuming aborted. Goal ID: {goal_id}")
+            self._node.get_logger().get_child("action_server").warning(
+                f"Goal state not set, assuming aborted. Goal ID: {goal_id}"
+            )
             handle.abort()
         response = self._action_type.Impl.GetResultService.Response(status=handle.status)
         if isinstance(result, self._action_type.Result):
             response.result = result
         elif result is not None:
-            self._node.get_logger().error(
+            self._node.get_logger().get_child("action_server").error(
                 f"The execute callback returned a {type(result).__name__}, not a {self._action_type.Result.__name__}"
             )
         # This sends the response to each request for the result that came before the end.
@@ -392,7 +396,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     def warn(self, text: str) -> None:
         """Log a warning; goal handles call this."""
-        self._node.get_logger().warning(text)
+        self._node.get_logger().get_child("action_server").warning(text)
 
     def notify_goal_done(self) -> None:
         """Publish the states of the goals, because one has changed; goal handles call this."""

@@ -22,6 +22,15 @@ class TransitionCallbackReturn(IntEnum):
     ERROR = Transition.TRANSITION_CALLBACK_ERROR
     """An error occurred; `on_error` is called."""
 
+    def __str__(self) -> str:
+        return f"TransitionCallbackReturnType.{self.name}"  # the name of rclpy's C half
+
+    def __format__(self, form: str) -> str:
+        return format(str(self) if not form else int(self), form)
+
+    def __repr__(self) -> str:
+        return f"<{self}: {self.value}>"
+
     def to_label(self) -> str:
         """Return the label of the transition that follows: `transition_success` and its like."""
         return f"transition_{self.name.lower()}"
