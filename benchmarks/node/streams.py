@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 import time
 from typing import Any, NamedTuple
@@ -26,6 +27,8 @@ UNPACED = {"TFLOOM_FASTDDS_SERVICES": "0"}
 BY_UDP = {"FASTDDS_BUILTIN_TRANSPORTS": "UDPv4"}
 COMPARED_EVERY = 10
 SOAK_WARM_UP_S = 60.0
+SOCKETS = "BENCHMARKS_SOCKETS"
+"""The variable that has the size which tfloom's sockets request, one of BUFFERS."""
 STALLS_AT, STALL_S = 300, 1.0
 """The message at which a soak's receiver stops once, so that its queue is full, as it may be at any time."""
 LEAST_RECEIVED = 0.9
@@ -137,11 +140,17 @@ def send(size: int, count: int) -> None:
     rclpy.shutdown()
 
 
-def small_sockets(size: str) -> dict[str, str]:
-    """Return the variable by which tfloom's sockets request a size that is not its own."""
-    from tfloom.rmw.cyclone.config import configuration
+def request_size() -> None:
+    """Have tfloom's sockets request the size of SOCKETS; otherwise they are those of any program.
 
-    return {"CYCLONEDDS_URI": configuration().replace('max="4MB"', f'max="{size.replace(" ", "")}"')}
+    A CYCLONEDDS_URI would do so, too, but with one they aren't bound to the loopback interface.
+    """
+    if size := os.environ.get(SOCKETS):
+        from tfloom.rmw.cyclone import config
+
+        before = config._RECEIVE_BUFFER  # noqa: SLF001  # nobody else has to change it
+        assert "4MB" in before, "tfloom requests another size than 4 MB"
+        config._RECEIVE_BUFFER = before.replace("4MB", size.replace(" ", ""))  # noqa: SLF001  # as above
 
 
 def measure(size: int, count: int, api: str = "tfloom", variables: dict[str, str] | None = None) -> Stream:
@@ -161,7 +170,7 @@ def measure(size: int, count: int, api: str = "tfloom", variables: dict[str, str
 
 def measure_all(apis: tuple[str, ...], size: int, buffer: str) -> dict[str, Stream]:
     """Return the streams of tfloom, of tfloom without waits, and of rclpy with its transports and by UDP."""
-    count, variables = BUFFERS[buffer], small_sockets(buffer)
+    count, variables = BUFFERS[buffer], {SOCKETS: buffer}
     streams = {
         "tfloom": measure(size, count, variables=variables),
         "unpaced": measure(size, count, variables=variables | UNPACED),
@@ -206,6 +215,7 @@ def soak(seconds: float) -> int:
 
 def main() -> int:
     if sys.argv[1:2] in (["receive"], ["send"]):
+        request_size()
         {"receive": receive, "send": send}[sys.argv[1]](*map(int, sys.argv[2:]))
         return 0
     parser = argparse.ArgumentParser(prog="python -m benchmarks.node.streams", description=__doc__)
