@@ -117,6 +117,7 @@ class Scene:
         with suppress(OSError):  # the viewer has ended it
             self.socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
         self.socket.socket.close()
+        self.socket.recv_messages.close()  # or the client's thread would wait for ever until messages are read
 
 
 ARRAYS = ("batched_positions", "points")
