@@ -99,37 +99,22 @@ nb::object take_decoded(Reader& reader, const nb::type_object& message_class) {
   });
 }
 
-// Call `send` until the sample is sent, or once if the writer doesn't wait; return whether it was sent. In between signals
-// are handled, while nothing is locked: Ctrl-C ends the wait for a reader that is stopped.
-template <typename Send>
-bool send_when_possible(const Writer& writer, Send send) {
-  while (!send()) {
-    if (!writer.waits()) return false;
-    if (PyErr_CheckSignals() != 0) throw nb::python_error();
-  }
-  return true;
-}
-
 bool write(Writer& writer, const nb::bytes& data) {
   const std::span view(static_cast<const std::byte*>(data.data()), data.size());
-  return send_when_possible(writer, [&] {
-    const ReleasedGil released;
-    return writer.write(view);
-  });
+  const ReleasedGil released;
+  return writer.write(view);
 }
 
 // A large message is copied once, with the GIL, under which its arrays don't change.
 bool write_message(Writer& writer, const nb::handle& message) {
   if (!is_large(message)) return write(writer, encode_message(message));
-  return send_when_possible(writer, [&] {
-    std::optional<Writer::Sample> sample;
-    {
-      const EncodedMessage encoded(message);
-      sample.emplace(writer.make(encoded.parts()));
-    }
-    const ReleasedGil released;
-    return writer.send(std::move(*sample));
-  });
+  std::optional<Writer::Sample> sample;
+  {
+    const EncodedMessage encoded(message);
+    sample.emplace(writer.make(encoded.parts()));
+  }
+  const ReleasedGil released;
+  return writer.send(std::move(*sample));
 }
 
 // Share the sink with a reader, which may release it on any thread.

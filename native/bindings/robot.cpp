@@ -140,8 +140,7 @@ class OutputCalls {
   void call(robot::OutputKind kind, const std::vector<std::byte>& data) const {
     if (kind == robot::OutputKind::transforms && writer_ != nullptr) {
       try {
-        while (!writer_->write(data)) {
-        }
+        writer_->write(data);
       } catch (const std::exception&) {  // the writer is closed, as at the end of a program
       }
       return;

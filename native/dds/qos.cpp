@@ -36,7 +36,7 @@ QosHandle make_user_data(const Library& l, const std::string& user_data) {
 }
 
 QosHandle make_writer_qos(const Library& l, const Qos& qos, const std::string& user_data, bool waits) {
-  QosHandle handle = make_endpoint_qos(l, qos, user_data, waits ? write_wait_ns : 0);
+  QosHandle handle = make_endpoint_qos(l, qos, user_data, waits ? infinite_ns : 0);
   l.qset_lifespan(handle.get(), qos.lifespan_ns);
   l.qset_writer_data_lifecycle(handle.get(), false);  // samples stay valid after their writer has left
   if (qos.durability == Durability::transient_local) {

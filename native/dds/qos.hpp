@@ -15,7 +15,6 @@ enum class History { keep_last = 1, keep_all = 2 };
 enum class Liveliness { automatic = 1, manual_by_topic = 3, unknown = 4 };
 
 constexpr std::int64_t infinite_ns = INT64_MAX;
-constexpr std::int64_t write_wait_ns = 100'000'000;  // of a write by a writer that waits for readers that lag behind
 
 // Values numbered as in ROS and in tfloom.rmw.qos; durations in nanoseconds, where `infinite_ns` means no limit.
 struct Qos {

@@ -154,7 +154,7 @@ class SelfTest {
     qos.liveliness_lease_ns = 13'000'000'000;
     const QosHandle handle = make_writer_qos(l_, qos, endpoint_data);
     const Qos_* q = handle.get();
-    check_policy(q, l_.qget_reliability, 1, write_wait_ns, "dds_qget_reliability");
+    check_policy(q, l_.qget_reliability, 1, infinite_ns, "dds_qget_reliability");
     check_policy<std::int32_t>(q, l_.qget_history, 0, qos.depth, "dds_qget_history");
     check_policy(q, l_.qget_liveliness, 2, qos.liveliness_lease_ns, "dds_qget_liveliness");
     check_duration(q, l_.qget_deadline, qos.deadline_ns, "dds_qget_deadline");

@@ -26,7 +26,7 @@ class Writer {
   // A sample that can be sent. As long as it exists, `close` waits for the thread that made it, which must send or delete it.
   class Sample;
 
-  // `waits` is whether a write waits for readers that lag behind: for `write_wait_ns` at most.
+  // `waits` is whether a write waits for readers that lag behind.
   Writer(Participant& participant, const TopicName& topic, const Qos& qos, const std::string& user_data,
          bool waits = true);
   ~Writer();
@@ -34,9 +34,8 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   // Send one sample: the encapsulation header of little-endian CDR, then the CDR. May be called from any thread; may
-  // wait for slow readers of a reliable topic, and is to be called again as long as the sample shall wait for them. Return
-  // false if they lag behind: then nothing was sent. Throw std::invalid_argument for another header, and Error if the
-  // writer is closed.
+  // wait for slow readers of a reliable topic. Return false if they lag behind and this writer doesn't wait: then nothing
+  // was sent. Throw std::invalid_argument for another header, and Error if the writer is closed.
   //
   // Writes of an end of a service that doesn't wait are made one at a time.
   bool write(std::span<const std::byte> data);
@@ -46,7 +45,6 @@ class Writer {
   [[nodiscard]] Sample make(Parts parts);
   bool send(Sample&& sample);
 
-  [[nodiscard]] bool waits() const { return waits_; }
   [[nodiscard]] std::size_t matched_count() const;
   [[nodiscard]] std::vector<Peer> matched();
   [[nodiscard]] const Gid& gid() const { return gid_; }
