@@ -29,9 +29,13 @@ from tfloom.rmw.cyclone.wire import open_participant
 from tfloom.rmw.errors import ClosedError
 from tfloom.rmw.qos import HistoryPolicy, QoS, ReliabilityPolicy
 
-pytestmark = pytest.mark.skipif(
-    sys.platform != "linux", reason="the queue of another process's socket is known on Linux"
-)
+# A reader that isn't run for a while misses what is sent at best effort meanwhile.
+pytestmark = [
+    pytest.mark.timing,
+    pytest.mark.skipif(
+        sys.platform != "linux", reason="the queue of another process's socket is known on Linux"
+    ),
+]
 BEST_EFFORT = QoS(reliability=ReliabilityPolicy.BEST_EFFORT, history=HistoryPolicy.KEEP_ALL)
 HEADER = b"\0\1\0\0"
 IMAGE = HEADER + bytes(1_000_000)

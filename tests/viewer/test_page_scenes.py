@@ -258,7 +258,7 @@ def test_two_clicks_measure_a_third_clears_and_two_more_measure_again(
         assert page.answers[0]["measured"]["places"] == []
         assert client.scene.get_handle_by_name("/measure/line") is None
     page.ask("done", op="measure", at=at(camera, 1.0, 1.0))
-    page.send(op="end_measure")
+    assert page.ask("done", op="end_measure") == ""
     page.wait_for(lambda: viewer._scenes._pages[page.name].measure is None)
     assert client.scene.get_handle_by_name("/measure/ends") is None
     said = page.ask("done", op="measure", at=at(camera, 2.0, 3.0))
