@@ -455,6 +455,16 @@ def test_pool_returns_when_the_context_is_shut_down(context: Context, node: Node
             pool.spin_once()
 
 
+def test_pool_returns_where_a_callback_has_failed_because_of_the_shutdown(
+    context: Context, node: Node
+) -> None:
+    with MultiThreadedExecutor(2, context=context) as pool:
+        pool.add_node(node)
+        pool._errors.append(RCLError("Failed to publish: publisher's context is invalid"))
+        context.try_shutdown()
+        pool.spin_once(timeout_sec=1.0)
+
+
 def test_shutting_the_context_down_ends_a_spin(context: Context, node: Node, executor: Executor) -> None:
     begun = threading.Event()
     node.create_timer(0.0, begun.set)

@@ -156,6 +156,7 @@ class MultiThreadedExecutor(Executor):
             pass
         except ExternalShutdownException as end:
             self._end_at_shutdown(end)
+            return  # what callbacks raise now is of the shutdown, as of a publisher whose context has just ended
         # One error for each spin; the next one stops at once for the next error. What a callback saw of the shutdown on
         # its thread is replaced by what this thread must raise, KeyboardInterrupt on the main one after Ctrl-C.
         if self._errors and not is_nested:
