@@ -139,7 +139,9 @@ class Calls:
         from example_interfaces.srv import AddTwoInts
 
         self._node = node
-        self._request = AddTwoInts.Request
+        self._service, self._request = AddTwoInts, AddTwoInts.Request
+        self._last: Any = None
+        """The new client of the last first call."""
         self._client = node.create_client(AddTwoInts, "bench_add")
         self._call = self._call_and_wait if way == "call" else self._call_and_spin
         self._number = 0
@@ -154,17 +156,7 @@ class Calls:
         Raises:
                 ValueError: a wrong answer, or none.
         """
-        times_us: list[float] = []
-        end = time.monotonic() + TURN_S
-        while len(times_us) < count and (not times_us or time.monotonic() < end):
-            self._number += 1
-            request = self._request(a=self._number, b=1)
-            start_ns = time.perf_counter_ns()
-            response = self._call(request)
-            times_us.append((time.perf_counter_ns() - start_ns) / 1e3)
-            if response is None or response.sum != self._number + 1:
-                raise ValueError(f"{self._number} + 1 was answered with {response}")
-        return times_us
+        return self._times_us(count, self._call)
 
     def call_until_answered(self) -> None:
         """Call until the first answer, because Fast DDS may lose the calls before both ends have matched."""
@@ -181,22 +173,32 @@ class Calls:
         Raises:
                 ValueError: a wrong answer, or none.
         """
-        from example_interfaces.srv import AddTwoInts
+        return self._times_us(count, self._call_anew, self._destroy_last)
 
+    def _times_us(
+        self, count: int, call: Callable[[Any], Any], clean_up: Callable[[], object] = lambda: None
+    ) -> list[float]:
+        """Return the times of calls, without those of what cleans up behind each."""
         times_us: list[float] = []
         end = time.monotonic() + TURN_S
         while len(times_us) < count and (not times_us or time.monotonic() < end):
             self._number += 1
             request = self._request(a=self._number, b=1)
             start_ns = time.perf_counter_ns()
-            client = self._node.create_client(AddTwoInts, "bench_add")
-            client.wait_for_service()
-            response = client.call(request, timeout_sec=MAX_DURATION_S)
+            response = call(request)
             times_us.append((time.perf_counter_ns() - start_ns) / 1e3)
-            self._node.destroy_client(client)
+            clean_up()
             if response is None or response.sum != self._number + 1:
                 raise ValueError(f"{self._number} + 1 was answered with {response}")
         return times_us
+
+    def _call_anew(self, request: Any) -> Any:
+        self._last = self._node.create_client(self._service, "bench_add")
+        self._last.wait_for_service()
+        return self._last.call(request, timeout_sec=MAX_DURATION_S)
+
+    def _destroy_last(self) -> None:
+        self._node.destroy_client(self._last)
 
     def _call_and_wait(self, request: Any) -> Any:
         return self._client.call(request, timeout_sec=MAX_DURATION_S)
